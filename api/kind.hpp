@@ -17,7 +17,7 @@ struct PlannedJob;  // api/planned_job.hpp
 /// The files that a kind makes of a stored result, in layouts of its own.
 struct ResultFiles {
   std::string_view title = {};                     ///< name of such a file for people, such as "cam table"
-  std::span<const std::string_view> layouts = {};  ///< no two kinds have a layout of one name
+  std::span<const std::string_view> layouts = {};  ///< names of the layouts; each belongs to one kind only
   /// Returns the file of a result of this kind in one of `layouts`.
   ResultFile (*make)(const nlohmann::json& result, std::string_view layout) = nullptr;
 };

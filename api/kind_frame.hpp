@@ -30,7 +30,7 @@ namespace bahnwerk::api {
 /// A kind's report on its plan.
 struct KindReport {
   nlohmann::ordered_json summary;
-  nlohmann::ordered_json verification;  ///< as api/verification.hpp writes it, possibly extended by the kind
+  nlohmann::ordered_json verification;  ///< result of api/verification.hpp, possibly extended by the kind
   nlohmann::ordered_json bound;         ///< value, gap and basis, as api/verification.hpp writes them
   nlohmann::ordered_json details;
   nlohmann::ordered_json drawings = nullptr;            ///< SVG and DXF texts by file name; null: none

@@ -18,7 +18,7 @@ struct ProblemType {
 std::span<const ProblemType> problem_types();
 const ProblemType& problem_type(std::string_view slug);  ///< throws std::out_of_range for a slug not in the catalogue
 
-/// One fault in a document, at an RFC 6901 pointer into the request.
+/// A fault in a document, at an RFC 6901 pointer into the request.
 struct FieldError {
   std::string pointer;
   std::string message;

@@ -13,9 +13,9 @@ struct Kind;
 struct ResultFile {
   std::string text, content_type;
   std::string extension;  ///< csv, txt, …
-  /// By how much the file differs from the result, for people: "differs from the law by position 1e-07 mm, …".
+  /// Difference of the file from the result, for people: "differs from the law by position 1e-07 mm, …".
   std::string difference;
-  /// The number behind that text, as an HTTP header: its name and value.
+  /// Name and value of an HTTP header with the same information; the name may be empty.
   std::string header, header_value;
 };
 

@@ -44,7 +44,7 @@ struct SetpointQuery {
   std::size_t every = 1;
   std::optional<std::size_t> points;    ///< min/max envelope with about this many points, for charts
   std::vector<std::string> columns;     ///< empty = all
-  CsvLayout layout = CsvLayout::plain;  ///< only for CSV and rows, not with `points`
+  CsvLayout layout = CsvLayout::plain;  ///< layout of CSV rows; not allowed with `points`
   /// Layout of a file that a kind makes of its result (api/result_files.hpp), instead of rows; without other options.
   std::optional<std::string> file_layout;
   /// Frame of the columns x, y, z, phi and their rates; by default base in the layout twincat_poses if the machine is
@@ -68,7 +68,7 @@ struct SetpointSeries {
   std::size_t count = 0;
   double cycle_time = 0;
   Independent independent = {};
-  std::optional<PoseFrame> pose_frame = {};  ///< none: poses exist in one frame only
+  std::optional<PoseFrame> pose_frame = {};  ///< frame of the poses; none: poses exist in one frame only
   /// Fills `out` with rows [first, first + rows), row-major, all columns.
   std::function<void(std::size_t first, std::size_t rows, std::vector<double>& out)> read;
 };

@@ -9,7 +9,7 @@ namespace bahnwerk::drawing {
 
 struct PanelCurve {
   std::string name, colour;
-  std::vector<Point> points;  ///< in the units of the panel, x ascending
+  std::vector<Point> points;  ///< points in the units of the panel, x ascending
   bool marked = false;        ///< whether every point has a dot
 };
 
@@ -17,7 +17,7 @@ struct Panel {
   std::string title, across;  ///< quantity of the vertical axis with its unit; quantity of the horizontal axis, empty:
                               ///< no numbers there
   std::vector<PanelCurve> curves;
-  std::vector<double> limits;  ///< drawn as dashed lines
+  std::vector<double> limits;  ///< values at which dashed lines are drawn
   bool from_zero = false;      ///< whether the range of values begins at 0
 };
 

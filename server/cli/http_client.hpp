@@ -8,7 +8,7 @@
 
 namespace bahnwerk::server::cli {
 
-/// No server answered, or the connection broke; the text is a sentence for the user.
+/// Thrown where no server answered or the connection broke; the text is a sentence for the user.
 struct Unreachable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

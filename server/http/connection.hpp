@@ -1,5 +1,5 @@
 #pragma once
-/// One client's connection: a coroutine that reads a request, awaits its answer, writes it, and repeats. Only
+/// A client's connection: a coroutine that reads a request, awaits its answer, writes it, and repeats. Only
 /// listener.cpp and connection.cpp include this (Beast is slow to compile).
 #include <atomic>
 #include <boost/asio/any_io_executor.hpp>
@@ -40,7 +40,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection(boost::asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context, ConnectionTable::Id id,
              bool spare);
 
-  boost::asio::awaitable<void> serve();  ///< until the client or a fault ends it
+  boost::asio::awaitable<void> serve();  ///< serves requests until the client or a fault ends the connection
   /// Closes the connection unless a request is being answered; a client in the middle of a request gets a 408. From any
   /// thread.
   void cut(Cut why);

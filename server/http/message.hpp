@@ -20,7 +20,7 @@ struct Fault {
 
 struct Request {
   std::string method;                 ///< upper case as sent
-  std::string target;                 ///< as sent
+  std::string target;                 ///< target as sent
   std::string path;                   ///< decoded, for messages and logs
   std::vector<std::string> segments;  ///< the path's parts, each decoded: "/v1/jobs/a%2Fb" → v1, jobs, a/b
   Pairs query;                        ///< decoded, in order

@@ -20,7 +20,7 @@ class ChangeFeed {
   };
   /// Reports every change from now on. Polls the source every `interval`, on its own thread, if it is shared.
   ChangeFeed(ChangeSource& source, Hooks hooks, std::chrono::milliseconds interval = std::chrono::milliseconds(250));
-  ~ChangeFeed();  ///< no hook is called afterwards
+  ~ChangeFeed();  ///< ends the reports: no hook is called afterwards
   ChangeFeed(const ChangeFeed&) = delete;
   ChangeFeed& operator=(const ChangeFeed&) = delete;
 

@@ -11,7 +11,7 @@
 
 namespace bahnwerk::server {
 
-/// One attempt at a job. The planner's thread writes, others read or ask it to stop.
+/// An attempt at a job. The planner's thread writes; other threads read, or request it to stop.
 class LiveJob {
  public:
   explicit LiveJob(const api::Job& job)

@@ -31,7 +31,7 @@ class JobProgress final : public Progress {
   /// Throws Stopped when the job has to end; stopped() then gives the reason. From the planner's thread only.
   void report(std::string_view stage, double fraction, std::string_view message = {}) override;
   Stop stopped() const { return stopped_; }
-  std::uint64_t reports() const { return reports_; }  ///< how often the planner has asked
+  std::uint64_t reports() const { return reports_; }  ///< number of reports
   /// Number of calls after the planner was told to stop; 0 if it stops at once.
   std::uint64_t reports_after_stop() const { return reports_after_stop_; }
 

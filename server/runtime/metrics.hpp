@@ -16,7 +16,7 @@ class Metrics {
 
   void request(std::string_view route, std::string_view method, int status, double seconds);
   void planned(std::string_view kind, std::string_view state, double seconds);
-  void commit(double seconds, std::size_t writes);  ///< one store transaction
+  void commit(double seconds, std::size_t writes);  ///< counts a transaction of the store
   void connections(std::size_t open);
   void jobs(std::string_view state, std::size_t count);
   std::string text() const;  ///< Prometheus text format 0.0.4

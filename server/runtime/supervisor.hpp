@@ -22,7 +22,7 @@ class Supervisor {
   /// Interval for calls of alive(): half of the manager's interval; without a value no call is expected.
   std::optional<std::chrono::milliseconds> heartbeat() const;
 
-  // Each may be called from any thread, never blocks, and returns whether the message was sent.
+  // The following functions may be called from any thread, never block, and return whether the message was sent.
   bool ready(std::string_view status) const;
   /// The end has begun and may take `within`.
   bool stopping(std::string_view status, std::chrono::milliseconds within) const;

@@ -21,7 +21,7 @@ struct Changed {
 };
 
 struct Changes {
-  std::vector<Changed> list;  ///< by ascending sequence, every job once, with its last change
+  std::vector<Changed> list;  ///< ordered by sequence; every job occurs once, with its last change
   /// Whether removals older than the store remembers lie between the requested sequence and the first one of the list:
   /// waiters for any job have to check it.
   bool gap = false;

@@ -34,7 +34,7 @@ struct Inserted {
 struct JobFilter {
   std::optional<api::JobState> state;
   std::optional<std::string> kind, reference;
-  std::string before;  ///< only ids smaller than this; empty = from the newest
+  std::string before;  ///< upper limit of the ids, exclusive; empty: from the newest
   std::size_t limit = 50;
 };
 
@@ -47,7 +47,7 @@ struct Lease {
   std::int64_t until = forever;
 };
 
-/// One run of a planner on a job: the number increases with every claim.
+/// A run of a planner on a job. The number increases with every claim.
 struct Attempt {
   std::string id;
   int number = 0;

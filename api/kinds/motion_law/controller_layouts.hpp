@@ -39,9 +39,10 @@ inline constexpr Named<ControllerLayout> controller_layouts[] = {
 struct ControllerFile {
   std::string text, content_type;
   std::string extension;  ///< csv, txt or st
-  /// By how much the controller's motion differs from the law: "position 1.2e-07 mm, velocity … mm/s, …".
+  /// Largest differences of the controller's motion from the law, for people: "position 1.2e-07 mm, velocity … mm/s,
+  /// …".
   std::string refit_error;
-  std::array<double, 4> error{};  ///< the same, unit/s^r
+  std::array<double, 4> error{};  ///< the numbers of refit_error, unit/s^r
 };
 /// Returns the table of `result`, a result document of kind motion_law. `name` is the table's name inside the file,
 /// letters and digits.

@@ -1,5 +1,5 @@
 #pragma once
-/// What in a motion law's document contradicts itself, whatever the method.
+/// Finds contradictions in a motion law's document that no method can resolve.
 #include <vector>
 
 #include "core/base/errors.hpp"

@@ -10,7 +10,7 @@ struct MotionLawRequest {
   cam::MotionLawProblem problem;
   LawSampling sampling;
   bool drawings = true;
-  std::vector<std::string> notes;  ///< what is given and has no effect
+  std::vector<std::string> notes;  ///< remarks on members without effect
 };
 
 /// Reads a spec that passed its schema. Throws InvalidInput naming every fault, with places relative to the spec.

@@ -5,7 +5,7 @@
 
 namespace bahnwerk::api::motion_law {
 
-/// All of the result but its drawings and its table.
+/// Returns the report without drawings and table.
 KindReport report_law(const MotionLawRequest& request, const LawPlan& plan);
 
 }  // namespace bahnwerk::api::motion_law

@@ -14,7 +14,7 @@ struct DrawnWires {
   std::string title;
   double radius = 0;                          ///< mm, radius of a wire with its enamel
   double copper = 0;                          ///< mm, diameter of the conductor
-  std::vector<Point> wires;                   ///< in laying order
+  std::vector<Point> wires;                   ///< centres of the wires in laying order
   std::vector<std::size_t> slipping;          ///< indices of wires that do not stay where they are laid
   std::optional<std::size_t> unreached = {};  ///< index of the first wire that the needle cannot lay
   bool numbered = true;                       ///< whether wires that are large enough are numbered

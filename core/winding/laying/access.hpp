@@ -15,7 +15,7 @@ class Progress;
 
 namespace bahnwerk::winding {
 
-/// In the slot's section the needle is a bar of `width`, upright in the opening: along `Opening::into`, in its middle
+/// The needle in the slot's section: a bar of `width`, upright in the opening: along `Opening::into`, in its middle
 /// or, if a second coil side lies beside it, along the border to that side. Its mouth is the middle of its end.
 struct Needle {
   enum class Stand { middle, left, right };  ///< seen with the opening at the top
@@ -37,8 +37,8 @@ struct Obstruction {
     channel,  ///< wires laid before block the needle's channel to the place of `wire`
   };
   Part part = Part::wire;
-  double needed = 0, clear = 0;  ///< mm, of wire and needle; for the bore the bundle's and the needle's width
-  std::size_t wire = 0;          ///< for the channel: index of the first wire that cannot be reached
+  double needed = 0, clear = 0;  ///< needed and clear width of wire or needle, mm; for the bore: of bundle and needle
+  std::size_t wire = 0;          ///< index of the first wire that cannot be reached, if the part is the channel
 };
 
 /// Compares wire and needle with the opening's clear width, and the bundle of wires in hand with the needle's width: a

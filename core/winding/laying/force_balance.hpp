@@ -18,7 +18,7 @@ namespace bahnwerk::winding {
 /// between calls of solve(): a pile that grows by a wire starts from the previous ones.
 class ForceBalance {
  public:
-  /// With friction a contact pushes in any direction within atan(friction) of its normal. Moments are not balanced: a
+  /// A contact pushes in any direction within atan(friction) of its normal. Moments are not balanced: a
   /// wire is held against rolling by its torsional stiffness beyond both ends of the slot.
   explicit ForceBalance(double friction) : friction_(friction) {}
 

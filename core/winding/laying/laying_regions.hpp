@@ -27,7 +27,7 @@ struct Frame {
 
 struct LayingRegion {
   Region usable_area;
-  Frame begin, end;  ///< where the wire enters and leaves the region, ^B T_{j,a} and ^B T_{j,e}
+  Frame begin, end;  ///< frames at which the wire enters and leaves the region, ^B T_{j,a} and ^B T_{j,e}
 };
 
 struct LayingRegions {

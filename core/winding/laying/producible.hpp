@@ -21,9 +21,8 @@ namespace bahnwerk::winding {
 /// Without friction hardly any pile passes (b): two wires side by side on a smooth base are driven apart by the first
 /// one on top of them. Real piles are held by
 /// - friction of enamel on enamel and on the liner, dry and under tension;
-/// - neighbours whose gaps are within the tolerance of the wires: a wire that moves by less than its own tolerance has
-/// not left
-///   its place. Gaps up to `touch` count as contacts.
+/// - neighbours whose gaps are within the tolerance of the wires: a wire that moves by less than its own tolerance is
+///   still in its place. Gaps up to `touch` count as contacts.
 ///
 /// Both numbers are equal for all layouts. In the example stator slot they separate widely what the source separates by
 /// eye: needle layouts of the standard wires from 0.5 to 1.6 mm of copper are stable from a friction of 0.28 on,
@@ -44,11 +43,11 @@ struct Producible {
     Reason reason = Reason::no_support;
     bool proved = true;  ///< whether velocities prove it; false: no balance was found, and no proof that there is none
   };
-  std::optional<Slip> first;             ///< in the order of laying
-  std::vector<std::size_t> unsupported;  ///< all wires that fail (a)
+  std::optional<Slip> first;  ///< first wire that slips, in the order of laying; none: the layout is producible
+  std::vector<std::size_t> unsupported;  ///< wires that fail (a)
 
   bool producible() const { return !first; }
-  std::vector<std::size_t> slipping() const;  ///< all wires that slip, ascending
+  std::vector<std::size_t> slipping() const;  ///< returns the wires that slip, ascending
 };
 
 /// `tension_point` draws the wires of a layout without pulls of its own. (b) is decided up to the first slip only,

@@ -21,10 +21,10 @@ struct LaidCoil {
   double radius = 0;  ///< mm, radius of a wire with its enamel
   const Layout& layout;
   Point tension_point;                ///< draws the wires of a layout without tension points
-  std::optional<Needle> needle;       ///< none: only the wire must pass the opening
-  const Layout* back = nullptr;       ///< in the coil's other slot; none: no verdict on that slot
+  std::optional<Needle> needle;       ///< needle that has to pass the opening; none: only the wire has to
+  const Layout* back = nullptr;       ///< layout in the coil's other slot; null: no verdict on that slot
   bool swivels = false;               ///< whether the needle swivels, so that it reaches more than an upright one
-  const Region* back_area = nullptr;  ///< usable area of the other slot; none: equal to that of `slot`
+  const Region* back_area = nullptr;  ///< usable area of the other slot; null: that of `slot`
 };
 
 struct Windable {

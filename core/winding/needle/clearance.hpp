@@ -19,8 +19,8 @@ namespace bahnwerk::winding {
 struct NeedleMove {
   NeedlePose from, to;
   bool arc = false;
-  double sweep = 0;               ///< of an arc, rad
-  NeedlePose at(double u) const;  ///< u in [0, 1]
+  double sweep = 0;               ///< angle of an arc, rad
+  NeedlePose at(double u) const;  ///< returns the pose at u in [0, 1]
 };
 /// Returns the fixed pieces with straight moves between them, on which tip and angles are linear, too.
 std::vector<NeedleMove> straight_links(const std::vector<FixedPiece>& pieces);

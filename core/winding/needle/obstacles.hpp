@@ -70,15 +70,15 @@ class Block final : public Obstacle {
   Vec3 away(Vec3 p) const override;
 
  private:
-  Rotation outwards_, inwards_;  ///< from the azimuth 0 to the block, and back
+  Rotation outwards_, inwards_;  ///< rotations from the azimuth 0 to the block, and back
   Vec3 middle_, half_;
 };
 
 /// The posts of a stator's winding tools; the source gives no sizes for them.
 struct ToolPost {
-  double width = 4;      ///< across the radius, mm
-  double thickness = 3;  ///< along the radius, inwards from r_WK, mm
-  double height = 20;    ///< from the stack's end, mm
+  double width = 4;      ///< width across the radius, mm
+  double thickness = 3;  ///< thickness along the radius, inwards from r_WK, mm
+  double height = 20;    ///< height above the stack's end, mm
 };
 /// Returns the four posts of a coil. Throws InvalidInput naming members of "tool".
 std::vector<Block> tool_posts(const StatorPart& part, const ToolPost& post, Coil coil);

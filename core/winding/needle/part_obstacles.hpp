@@ -1,5 +1,5 @@
 #pragma once
-/// All obstacles of a part, with names for reports.
+/// Collects the obstacles of a part, with names for reports.
 #include <memory>
 #include <string>
 #include <vector>

@@ -26,7 +26,7 @@ struct NeedlePose {
 /// A bar with a round end whose foremost point is the tip; in a section through its axis, a box with a rounded tip.
 struct NeedleShape {
   double width = 2.6;  ///< mm
-  double length = 60;  ///< from the tip to the holder, mm
+  double length = 60;  ///< distance from the tip to the holder, mm
 };
 
 struct SupportPoint {
@@ -56,8 +56,8 @@ struct NeedleModel {
   std::optional<double> pivot_limit;
   /// Distance from the axis, and height, by which the needle exceeds any other piece when it passes from coil to coil.
   double change_radius = 5, change_height = 10;
-  /// With a shape the tip is placed where this needle keeps `clearance`, mm, from the part, if such a place exists
-  /// (core/winding/needle/channel.hpp); without, the tip is on the straight wire.
+  /// Shape of the needle. The tip is placed where the needle keeps `clearance`, mm, from the part, if such a place
+  /// exists (core/winding/needle/channel.hpp). Without a shape the tip is on the straight wire.
   std::optional<NeedleShape> shape;
   double clearance = 0;
 };

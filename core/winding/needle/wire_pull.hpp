@@ -34,7 +34,7 @@ double bending_moment(const Wire& wire, double yield_stress = bending_stress);
 double bend_radius(const Pull& pull);
 
 struct TipOffset {
-  Vec3 offset;            ///< from the wire's place to the tip, mm
+  Vec3 offset;            ///< vector from the wire's place to the tip, mm
   double exit_angle = 0;  ///< α, rad
 };
 /// `along` is u and `needle` is d, both of unit length. Throws Infeasible where the wire would leave the needle

@@ -43,9 +43,9 @@ class CentreArea {
   struct Piece {
     Point from, to, centre, along;
     double radius = 0, length = 0;
-    double side = 0;  ///< of an arc: +1 the usable area is inside its circle, −1 outside
+    double side = 0;  ///< +1: the usable area is inside the arc's circle, −1: outside
     bool over_half = false;
-    bool thin = false;                   ///< bounds no area: an exact fit
+    bool thin = false;                   ///< whether it bounds no area: an exact fit
     int corner_from = 0, corner_to = 0;  ///< −1: projects into the usable area, +1: does not, 0: smooth
   };
   struct Hit {

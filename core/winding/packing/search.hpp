@@ -74,7 +74,7 @@ class PackingSearch {
   Point low_;
   double side_ = 1;
   std::size_t columns_ = 1, rows_ = 1;
-  std::vector<std::uint32_t> first_;  ///< of the pool's points by cell
+  std::vector<std::uint32_t> first_;  ///< first of the pool's points in each cell
   std::size_t settled_ = 0;
   double from_ = 0, to_ = 1;
   std::vector<double> clearance_, share_;

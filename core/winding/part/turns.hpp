@@ -1,5 +1,5 @@
 #pragma once
-/// All turns of a winding in the order in which they are wound: coil after coil, each with the layouts of the four
+/// The turns of a winding in the order in which they are wound: coil after coil, each with the layouts of the four
 /// laying regions at its place in the part. Lengths mm.
 #include <array>
 #include <cstddef>

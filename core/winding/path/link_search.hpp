@@ -32,9 +32,9 @@ double sharpest_curvature(const BezierPiece& piece);
 constexpr double sharpest_usable = 100;  ///< κ, 1/mm; above it the place counts as a cusp
 
 struct FoundLink {
-  BestLink best;  ///< its smoothness J by a fine rule, and at least what the sharpest place gives
+  BestLink best;  ///< the link; J is computed by a fine rule and is no less than the sharpest place implies
   LinkObjective objective = LinkObjective::curvature;  ///< the objective that was minimised last
-  double bend = 0;                                     ///< its largest κ at a minimum of the speed, 1/mm
+  double bend = 0;                                     ///< largest κ at a minimum of the speed, 1/mm
   bool cusped() const { return !(bend <= sharpest_usable); }
 };
 

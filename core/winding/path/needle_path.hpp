@@ -15,7 +15,7 @@ class Progress;
 
 namespace bahnwerk::winding {
 
-/// One rational piece of the path.
+/// A rational piece of the path.
 struct NeedlePiece {
   BezierPiece curve;
   std::size_t fixed = 0;  ///< index of the fixed piece to which it belongs, or from which its link starts
@@ -39,7 +39,7 @@ std::size_t coil_of(const NeedlePiece& piece, const std::vector<FixedPiece>& fix
 
 struct NeedlePath {
   std::vector<NeedlePiece> pieces;
-  std::vector<NeedleLink> links;  ///< in order
+  std::vector<NeedleLink> links;  ///< links in their order
   std::vector<BezierPiece> curves() const;
   /// Returns all pieces as one NURBS, piece n over [n, n + 1].
   NurbsPath united() const;

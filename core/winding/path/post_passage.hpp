@@ -57,7 +57,7 @@ class PostPassage {
   ToolPost post_;
   NeedleShape needle_;
   double clearance_;
-  std::vector<PartObstacles> obstacles_;  ///< by coil
+  std::vector<PartObstacles> obstacles_;  ///< obstacles of each coil
 };
 
 }  // namespace bahnwerk::winding

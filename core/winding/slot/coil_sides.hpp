@@ -10,7 +10,7 @@ enum class Sharing {
 };
 
 struct SharedSlot {
-  Slot slot;    ///< its usable area is the half of the side that is wound second; `taken` is that of the other side
+  Slot slot;    ///< usable_area is the half of the side that is wound second, `taken` that of the other side
   Region back;  ///< the half of this coil in its other slot
 };
 

@@ -50,7 +50,7 @@ struct PolygonSlot {
   std::vector<Point> points;
   double liner = 0;
   double corner_radius = 0;                          ///< mm, radius of convex corners
-  std::optional<std::array<Point, 2>> opening = {};  ///< its two ends, on the outline
+  std::optional<std::array<Point, 2>> opening = {};  ///< both ends of the opening, on the outline
 };
 
 /// The opening through which wires and needle enter.
@@ -65,10 +65,10 @@ struct Slot {
   enum class Type { stator, rotor, polygon };
   Type type = Type::polygon;
   Region iron;                     ///< the slot as punched
-  Region usable_area;              ///< what wires may fill
+  Region usable_area;              ///< area that wires may fill
   std::optional<Opening> opening;  ///< opening; a polygon has one only if it is given
-  Region wedge;                    ///< as it is drawn; the usable area excludes it
-  Region taken;                    ///< area of a coil side laid before; empty: none
+  Region wedge;                    ///< wedge, for drawings; the usable area excludes it
+  Region taken;                    ///< area of a coil side laid earlier; empty: none
   /// The point from which the winding head pulls a wire: [Herrmann 4.2.1] uses (−4, −4) mm for the stator.
   Point tension_point;
   Point flank_tension_point;  ///< the point for layers that begin at a flank: (−4, 0) mm there

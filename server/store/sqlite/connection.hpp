@@ -1,5 +1,5 @@
 #pragma once
-/// One connection to the database with its prepared statements. Not thread-safe; errors are thrown as StoreError.
+/// A connection to the database with its prepared statements. Not thread-safe; errors are thrown as StoreError.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,8 +29,8 @@ class Query {
   Query& operator<<(std::optional<double> value);
   Query& blob(std::string_view bytes);  ///< must outlive the statement's use
 
-  bool step();  ///< true: there is a row
-  int run();    ///< to the end; returns the number of rows changed
+  bool step();  ///< moves to the next row; returns whether there is one
+  int run();    ///< executes the statement to its end; returns the number of changed rows
   int one_int();
 
   std::int64_t integer(int column) const;
@@ -57,7 +57,7 @@ class SqliteConnection {
 
   Query query(std::string_view sql);  ///< prepared once, then reused
   void execute(const char* sql);
-  void rollback() noexcept;  ///< if a transaction is open
+  void rollback() noexcept;  ///< rolls back an open transaction, if any
   /// Allocates that many bytes of the file on the disk, in steps of 256 KiB, before they are needed; returns false when
   /// there is no room.
   bool allocate(std::int64_t bytes) noexcept;

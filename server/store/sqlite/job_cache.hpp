@@ -11,8 +11,8 @@
 
 namespace bahnwerk::server {
 
-/// All entries were read at one count of commits; the next commit empties the cache, so changes need not be reported to
-/// it. Thread-safe.
+/// Jobs that were read since the last commit. The next commit empties the cache, so changes need not be reported to it.
+/// Thread-safe.
 class JobCache {
  public:
   void put(std::uint64_t commits, const api::Job& job) {

@@ -11,10 +11,10 @@ namespace bahnwerk::server {
 /// room; without it the disk counts as full. Used by the writer's thread; held() from any.
 class Reserve {
  public:
-  /// With 0 bytes nothing is set aside, and it always counts as held. The constructor does not allocate.
+  /// Does not allocate. A reserve of 0 bytes always counts as held.
   Reserve(std::string path, std::size_t bytes) : path_(std::move(path)), bytes_(bytes), held_(bytes == 0) {}
 
-  bool take();  ///< false: there is no room for all of it; then nothing is allocated
+  bool take();  ///< allocates the reserve; returns false, without allocating, if there is too little room
   void give_up();
   bool held() const { return held_; }
   std::size_t bytes() const { return bytes_; }

@@ -14,7 +14,7 @@ inline constexpr const char* job_columns =
     "created_at, started_at, finished_at, error, revision, seq";
 inline constexpr int job_seq_column = 18;
 
-api::Job job_from_row(const Query& row);  ///< without its document
+api::Job job_from_row(const Query& row);  ///< returns the job without its document
 
 /// Removes the rows of a series that an attempt stored before it ended without a result.
 void drop_chunks(SqliteConnection& connection, const std::string& id);

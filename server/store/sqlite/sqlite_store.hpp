@@ -62,8 +62,9 @@ class SqliteStore final : public Store {
   void checkpoint() override;
 
  private:
-  class Reader;                                            ///< a borrowed reading connection
-  static constexpr std::size_t max_expired_at_once = 256;  ///< per transaction, since others wait for it
+  class Reader;  ///< a borrowed reading connection
+  static constexpr std::size_t max_expired_at_once =
+      256;  ///< most expired jobs per transaction, since others wait for it
   Inserted insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; returns their jobs.
