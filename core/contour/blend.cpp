@@ -74,7 +74,7 @@ class Blender {
   }
 
  private:
-  /// A stretch begins with given segment i, after whatever was put on the path before.
+  /// Begins a section with the given segment i, after the path so far.
   void begin_section(std::size_t i) {
     if (!sections_ || (i > 0 && !rests(i))) return;
     end_section(i);

@@ -118,7 +118,7 @@ void mutate(json& node, std::mt19937_64& random) {
 
 class MutationsOfValues : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(MutationsOfValues, AreJudgedAlikeByBothJudges) {
+TEST_P(MutationsOfValues, GetEqualVerdictsFromValidatorAndExplainer) {
   const Schema schema(embedded(GetParam()));
   const json rules = json::parse(embedded(GetParam()));
   std::mt19937_64 random(7);

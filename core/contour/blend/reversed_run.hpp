@@ -27,7 +27,7 @@ class ReversedRun {
   std::vector<std::unique_ptr<Segment>> segments_;  ///< reversed segments of the curved elements
   ElementRun stretch_;
   RunRange given_, range_;
-  double end_ = 0;  ///< a place t of the given stretch is end_ − t here
+  double end_ = 0;  ///< place t of the given run is end_ − t here
 };
 
 }  // namespace bahnwerk::blending

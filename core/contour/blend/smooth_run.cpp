@@ -205,7 +205,7 @@ class Inspection {
   double worst_ = 0, outside_ = -1;
 };
 
-/// A spline between two places of a stretch.
+/// A spline between two places of an element run.
 struct Window {
   bool done = false;
   std::vector<double> breaks;

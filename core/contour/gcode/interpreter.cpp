@@ -123,7 +123,7 @@ void Interpreter::refuse(const Line& line, const std::string& why) {
 }
 
 void Interpreter::end(const Line& line) {
-  note(key_endless, line, "M99 would begin the program anew, without end: read once");
+  note(key_endless, line, "M99 would repeat the program without end: it is read once");
   ends_ = true;
 }
 

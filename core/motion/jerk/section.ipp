@@ -195,7 +195,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& progress) {
   JerkSolverOptions solver;
   double reach = 3e-2;
   int division = 0, exact = 0;
-  bool fresh = true, anew = false;
+  bool fresh = true, restarted = false;
   const bool cartesian = path_.cartesian();
   const auto divide = [&](double barrier) {
     ++division;
@@ -215,8 +215,8 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& progress) {
     work_ += r.iterations * static_cast<double>(grid_.cells.size());
     if (round > 0 && !r.converged && !(r.violation < diverged)) {
       state_ = before_;
-      if (anew) return;
-      anew = true;
+      if (restarted) return;
+      restarted = true;
       mu = 1e-2;
       if (!wider_caps_) continue;
       strict_caps_ = true;  // the wider caps may be the cause

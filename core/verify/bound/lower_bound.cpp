@@ -147,8 +147,8 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
         end = last - begin > whole ? begin + window : last;
         stage_progress.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
         std::size_t kept = 0;
-        const auto part_without_jerk = [&](const Grade& grade, bool anew) {
-          if (anew) {
+        const auto part_without_jerk = [&](const Grade& grade, bool rebuild) {
+          if (rebuild) {
             grid.widen(grade.wider);
             grid.build(begin, end < last ? end + behind : last, begin == first, end == last);
             if (begin > first) grid.enter(entry);
@@ -160,8 +160,8 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
         double part = part_without_jerk(rough, true);
         if (jerk.limited()) {
           const double with = jerk.duration(solver.speed_squares(kept + 1), part, begin == first, end == last);
-          const bool anew = rough.wider > least.wider;
-          if (with < (1 + rules) * part && (anew || !path.cartesian())) part = part_without_jerk(least, anew);
+          const bool rebuild = rough.wider > least.wider;
+          if (with < (1 + rules) * part && (rebuild || !path.cartesian())) part = part_without_jerk(least, rebuild);
           part = std::max(part, with);
         }
         section += part;

@@ -141,7 +141,7 @@ TEST(VerifierJerk, AccelerationMustVanishAtRest) {
   EXPECT_FALSE(find(verdict(line(), law), "continuity of acceleration").passed);
 }
 
-TEST(VerifierJerk, PathLimitsAreJudged) {
+TEST(VerifierJerk, PathLimitsAreVerified) {
   const TimeLaw law = bow(50, 0.4, 64);
   const double a = 10 / std::sqrt(3.0) * 50 / 0.16, j = 60 * 50 / 0.064;  // of this polynomial
   EXPECT_NEAR(find(verdict(line(), law, 2 * a), "path acceleration").value, a, 1e-3 * a);
