@@ -28,11 +28,16 @@ for layout in twincat_nc twincat_mc3 isg lcamhdl_xy lcamhdl_basic lcamhdl_advanc
   grep -qi '^x-refit-error: position .* jerk ' "$work/headers" || fail "$layout: X-Refit-Error"
   [[ $(wc -l <"$work/body") -gt 4 ]] || fail "$layout"
 done
+request GET "/jobs/$id" -H 'Accept: text/html'
+expect_status 200
+[[ $(grep -o 'setpoints?layout=[a-z0-9_]*' "$work/body" | sort -u | wc -l) == 8 ]] || fail "the page links a cam table per layout"
 request GET "/v1/jobs/$id/setpoints?layout=twincat_nc&first=3"
 expect_problem schema-violation 422
 expect_json '.errors[0].pointer == "/query/layout"'
 post "$examples/line.json"
 await succeeded 60
+request GET "/jobs/$id" -H 'Accept: text/html'
+! grep -q 'layout=isg' "$work/body" || fail "a contour's page links no cam table"
 request GET "/v1/jobs/$id/setpoints?layout=isg"
 expect_problem schema-violation 422
 stop_server
