@@ -7,7 +7,7 @@
 namespace bahnwerk {
 
 namespace {
-constexpr std::size_t units_per_row = 4;  // what a row counts as, for progress
+constexpr std::size_t units_per_row = 4;  // units of work per row, for progress
 }
 
 void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<RowCheck>> all,

@@ -18,14 +18,14 @@ namespace {
 using namespace blending;
 
 constexpr double min_tolerance = 1e-5, max_tolerance = 1e3;  // mm
-constexpr double tiny_share = 0.01;                          // of the tolerance: lines shorter than this are merged
-constexpr double used_share = 0.97;                          // of the tolerance for blends, after merging
-constexpr double fitted_share = 0.975;                       // of the tolerance: what has to be proven of a blend
+constexpr double tiny_share = 0.01;                          // part of the tolerance below which lines are merged
+constexpr double used_share = 0.97;                          // part of the tolerance that blends use, after merging
+constexpr double fitted_share = 0.975;                       // part of the tolerance that a blend is proven to keep
 constexpr double reversal = 170 * 3.14159265358979323846 / 180;
 constexpr double fastest = 1e6;           // mm/s, where nothing limits the speed
 constexpr double shortest_rest = 1e-9;    // mm of a segment that is worth keeping between two blends
 constexpr double shortest_change = 1e-4;  // mm; in less the rounding of coordinates shows in a curve's direction
-constexpr int max_attempts = 12;          // at the length of a blend
+constexpr int max_attempts = 12;          // attempts at the length of a blend
 constexpr int max_splits = 4;             // times that a run is cut where it cannot be smoothed
 constexpr std::size_t progress_step = 256;
 

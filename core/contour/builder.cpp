@@ -138,7 +138,7 @@ void ContourBuilder::arc(Vec to, Vec centre, bool counter_clockwise, Vec normal,
   if (!finite(to) || !finite(centre) || !finite(normal)) return fault({"arc"}, "a coordinate is not finite");
   // An arc too short to be one means a full circle whose start came out beside its end by rounding, unless its radius
   // is as small.
-  constexpr double rounding = 0.01;  // of the radius
+  constexpr double rounding = 0.01;  // part of the radius that counts as rounding
   const double chord = norm(to - position_);
   if (chord < min_segment_length && chord < rounding * norm(centre - position_)) to = position_;
   const bool made = guarded([&] {

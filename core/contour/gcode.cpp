@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t lines_per_report = 256;  // a spline takes up to 0.1 ms
 constexpr char end_of_text = '\x1A';
 constexpr std::string_view filling("\x1A\0 \t\r\n", 6);
-constexpr std::size_t segments_per_report = 4096;  // one line may have a thousand turns
+constexpr std::size_t segments_per_report = 4096;  // reports within a line, which may have a thousand turns
 
 /// Reads the program's lines in their order, up to its end or to where further reading is useless.
 class Reading {

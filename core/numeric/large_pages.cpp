@@ -73,7 +73,7 @@ void* take(std::size_t bytes) {
   const bool large = size >= page;
   void* memory = std::aligned_alloc(large ? page : 64, large ? (size + page - 1) / page * page : size);
   if (memory == nullptr) throw std::bad_alloc();
-  if (large) madvise(memory, size, MADV_HUGEPAGE);  // what the system refuses stays on ordinary pages
+  if (large) madvise(memory, size, MADV_HUGEPAGE);  // memory stays on ordinary pages if the system refuses
   return memory;
 }
 

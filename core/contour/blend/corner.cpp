@@ -11,14 +11,14 @@ namespace bahnwerk::blending {
 namespace {
 
 constexpr double turn_floor = 1e-7;         // rad, below it a tangent jump is rounding
-constexpr double curvature_floor = 1e-6;    // of the curvature
+constexpr double curvature_floor = 1e-6;    // part of the curvature that counts as none
 constexpr double curvature_share = 0.0075;  // deviation of a blended curvature jump: this · jump · d²
 
 double stretch_factor(double turn) { return 0.9 + 0.03 * turn; }
 double middle_share(double turn) { return (64 - 44 * stretch_factor(turn)) / 64 * std::sin(0.5 * turn); }
 
-constexpr double proof_share = 1e-3;                     // of the tolerance: how exactly it is held
-constexpr double first_place = 0.05, last_place = 0.95;  // of a joint on its blend
+constexpr double proof_share = 1e-3;                     // part of the tolerance to which it is proven
+constexpr double first_place = 0.05, last_place = 0.95;  // range of the joint's parameter on its blend
 
 /// The part between two places of an element, as a curve between two parameters.
 struct Part {
@@ -85,7 +85,7 @@ Reach reach(const JointShape& joint, double tolerance, const Ability& ability) {
   double need = 1.4 * s * v * v / ability.acceleration;
   const bool jerky = ability.jerk < HUGE_VAL;
   if (jerky) {
-    // On an arc the acceleration is κv², its jerk κ²v³.
+    // The acceleration on an arc is κv², its jerk κ²v³.
     double most = v;
     if (const double k = joint.tightest; k > 0)
       most = std::min({v, std::sqrt(ability.pull / k), std::cbrt(std::sqrt(3.0) * ability.jerk / (k * k))});

@@ -8,7 +8,8 @@ namespace bahnwerk::blending {
 namespace {
 
 constexpr double crowded_turn = 0.8, crowded_curvature = 0.35;
-constexpr double movable_below = 0.99;  // of what the tolerance allows
+constexpr double movable_below =
+    0.99;  // part of the length allowed by the tolerance below which a blend may move into a run
 
 /// A run around a crowded joint swallows the movable blends and runs before it that it overlaps.
 void add_run(std::vector<Change>& list, double a, double b) {

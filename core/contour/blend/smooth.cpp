@@ -13,12 +13,12 @@ namespace bahnwerk::blending {
 namespace {
 
 constexpr double first_penalty = 1, last_penalty = 1e9, penalty_factor = 100;
-constexpr double start_fill = 0.95;                // of the radius, where the barrier takes over
-constexpr double final_mu = 1.5e-4, enough = 0.3;  // and what a step there may still bring, of μ
+constexpr double start_fill = 0.95;                // part of the radius at which the barrier replaces the penalty
+constexpr double final_mu = 1.5e-4, enough = 0.3;  // last μ; part of μ that a step may still gain at the end
 constexpr int max_newton = 60;
 // μ falls to these parts of the mean complementarity, depending on the length of the last step.
 constexpr double far = 0.8, near = 0.3, after_far = 0.1, between = 0.2, after_near = 0.5;
-constexpr double to_the_wall = 0.98;  // of the distance to the boundary of a site or a multiplier
+constexpr double to_the_wall = 0.98;  // part of the distance to the boundary of a site or a multiplier
 
 /// The method, in `Dim` coordinates.
 template <std::size_t Dim>
@@ -142,10 +142,10 @@ class Solver {
   }
 
   System system_;
-  std::vector<SiteTerm> terms_;              // per site
-  std::vector<Coordinates> step_;            // per site: how the spline moves there
+  std::vector<SiteTerm> terms_;              // term of each site
+  std::vector<Coordinates> step_;            // displacement of the spline at each site
   std::vector<double> slope_;                // −gradient, by control points
-  std::vector<double> multiplier_, change_;  // per site: λ and its step
+  std::vector<double> multiplier_, change_;  // λ of each site, and its step
   double total_ = 0, complementarity_ = 0;   // Σ g, and Σ λ s / Σ g
   double taken_ = 1;                         // part of the last step
 };

@@ -18,8 +18,8 @@ namespace bahnwerk::blending {
 namespace {
 
 constexpr int max_rounds = 8;
-constexpr double site_share = 0.96;  // of the tolerance at the sites; the rest is for what lies between them
-constexpr double site_step = 0.25;   // of H
+constexpr double site_share = 0.96;  // part of the tolerance used at the sites; the rest is for the places between them
+constexpr double site_step = 0.25;   // largest distance of sites, as a part of H
 constexpr double slowest = 0.05;     // smallest |f'|: below it the curve all but turns round in a point
 
 /// All joints of the run, and places between them so that none is further from the next than H/4.
@@ -201,7 +201,7 @@ class Inspection {
   const SpanPolynomials spline_;
   const RunTolerance& tolerance_;
   std::vector<double> second_derivatives_;
-  std::size_t span_ = 0, element_ = 0, at_ = 0;  // of the last places evaluated
+  std::size_t span_ = 0, element_ = 0, at_ = 0;  // indices of the last evaluated places
   double worst_ = 0, outside_ = -1;
 };
 
@@ -210,7 +210,7 @@ struct Window {
   bool done = false;
   std::vector<double> breaks;
   TubeSpline spline;
-  std::vector<double> failure_positions;  ///< if not done
+  std::vector<double> failure_positions;  ///< places of failure, if not done
 };
 
 Window smooth_window(const ElementRun& stretch, const RunRange& range, TubeScale scale, const TubeEnd& begin,

@@ -8,7 +8,7 @@ namespace bahnwerk::blending {
 namespace {
 
 constexpr double growth = 1.4, slope = 0.4;
-constexpr double node_step = 0.25;  // of H
+constexpr double node_step = 0.25;  // distance of nodes, as a part of H
 constexpr std::size_t fewest = 8;   // intervals
 
 /// The contour around t, `h` long, stays within the tolerance of its chord. `near`: an element near t.

@@ -35,7 +35,7 @@ void Interpreter::restore(const Modes& modes) {
   use_plane(modes.plane);
   absolute_ = modes.absolute;
   absolute_centres_ = modes.absolute_centres;
-  if (modes.fed || modes.inverse_time != inverse_time_) {  // else there is no feed to bring back
+  if (modes.fed || modes.inverse_time != inverse_time_) {  // otherwise there is no feed to restore
     feed_ = modes.feed;
     fed_ = modes.fed;
     feed_lost_ = modes.feed_lost || (inverse_time_ && !modes.fed);

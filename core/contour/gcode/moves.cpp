@@ -10,7 +10,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double largest = 1e9;  // mm
-constexpr int max_turns = 1000;  // of one helix
+constexpr int max_turns = 1000;  // most turns of one helix
 
 }  // namespace
 
@@ -89,7 +89,7 @@ bool Interpreter::feeds(const Line& line, double length) {
   double feed = feed_;
   if (inverse_time_) {
     feed = length > 0 ? length * feed_ : unlimited;
-    fed_ = false;  // for this one move
+    fed_ = false;  // the feed holds for this move only
   }
   mover_.use(spindle_ && output_ ? Mode::cut : Mode::position, feed);
   return true;

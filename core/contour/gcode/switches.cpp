@@ -17,7 +17,7 @@ constexpr const char* printer_text =
 /// seconds: the dialects that mean milliseconds use these words, too.
 void Interpreter::dwell_time(const Line& line) {
   if (dwell_) return fault("two dwells (G4) in one line");
-  dwell_ = 0;  // none given: it only stops
+  dwell_ = 0;  // no time is given: the motion only stops
   for (const char letter : std::string_view("PXUFS"))
     if (takes(line, letters({&letter, 1}))) {
       dwell_ = line[letter];

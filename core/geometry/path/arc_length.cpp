@@ -14,9 +14,10 @@ constexpr std::size_t nodes = 12;  // degree 11 for the speed
 struct Tables {
   std::array<double, nodes> x;
   std::array<std::array<double, nodes>, nodes> transform;
-  std::array<std::array<double, nodes>, nodes + 1> integral;  ///< of Σ c_k T_k with value 0 at x = −1, power basis
-  std::array<double, 8> y;                                    ///< Lobatto points for the inverse
-  std::array<std::array<double, 8>, 8> inverse;               ///< samples there → power basis
+  std::array<std::array<double, nodes>, nodes + 1>
+      integral;                                  ///< integral of Σ c_k T_k with value 0 at x = −1, power basis
+  std::array<double, 8> y;                       ///< Lobatto points for the inverse
+  std::array<std::array<double, 8>, 8> inverse;  ///< samples there → power basis
 
   Tables() {
     const auto points = Chebyshev::lobatto(nodes - 1);
@@ -111,7 +112,8 @@ ArcLength::ArcLength(const Curve& curve) : begin_(curve.begin()), end_(curve.end
   if (!(scale > 0 && scale < HUGE_VAL)) return;
   u_.push_back(begin_);
   s_.push_back(0);
-  constexpr int levels = 10;  // of a factor 8: down to 1e-9 of the piece, where s is a monomial to 1e-9 of itself
+  constexpr int levels =
+      10;  // levels by a factor of 8, down to 1e-9 of the piece, where s is a monomial to 1e-9 of itself
   if (const std::size_t order = piece.vanishing_begin(); order > 0) {
     double a = begin_;
     for (int k = levels; k >= 0; --k) {

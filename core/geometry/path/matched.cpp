@@ -10,7 +10,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr int max_halvings = 48;
-constexpr std::size_t units_per_halving = 16;  // of a progress scope, at most
+constexpr std::size_t units_per_halving = 16;  // units of a progress scope per halving
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double steps = 1 << 20;  // of directions, and of lengths relative to themselves
+constexpr double steps = 1 << 20;  // steps per unit of directions, and of lengths relative to themselves
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {  // the finaliser of MurmurHash3
   hash ^= word + 0x9e3779b97f4a7c15u;

@@ -133,7 +133,8 @@ std::vector<Edge> joined(std::vector<Edge> parts, Progress* progress) {
       loop.push_back(parts[next]);
     }
     double doubled = 0;
-    const Point origin = loop.front().from;  // or far from (0, 0) rounding makes an area of nothing
+    const Point origin =
+        loop.front().from;  // relative to a point of the loop: far from (0, 0) rounding would make an area
     for (Edge edge : loop) {
       edge.from -= origin;
       edge.to -= origin;

@@ -58,7 +58,7 @@ std::vector<BezierPiece> NurbsPath::pieces() const {
   NurbsPath full = *this;
   const std::size_t p = degree;
   for (std::size_t k = p; k + 1 < full.knots.size();) {
-    std::size_t last = k;  // of knots equal to knots[k]
+    std::size_t last = k;  // last of the knots equal to knots[k]
     while (last + 1 < full.knots.size() && full.knots[last + 1] == full.knots[k]) ++last;
     if (last + 1 == full.knots.size()) break;
     std::size_t times = last - k + 1;

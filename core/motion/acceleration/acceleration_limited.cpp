@@ -313,7 +313,7 @@ class SectionPlanner {
 
   const LanePath<N>& path_;
   const std::vector<CurvedParts>& curved_parts_;
-  const Machine& machine_;  // of the lanes
+  const Machine& machine_;  // limits of the lanes
   const AccelerationLimitedOptions& options_;
   const std::vector<double>& feed_;
   Progress& progress_;
@@ -324,7 +324,7 @@ class SectionPlanner {
   SpeedChain<N> chain_;
   UnsetVector<double> share_, ends_;  // ends: path length of cells' right ends from the begin of their segment
   UnsetVector<Excess> excess_;
-  UnsetVector<CellLaw> laws_;  // of curved cells, before slowing
+  UnsetVector<CellLaw> laws_;  // laws of curved cells, before slowing
   CellFlags dirty_;            // whose laws change with the shares
   DivisionMarks<N> marks_;
 };
@@ -370,7 +370,7 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   const double wider = std::clamp(std::max(options.width, density * count / options.usual_cells), 1.0, widest);
   AccelerationLimitedOptions fitted = options;
   fitted.grid.angle *= wider;
-  fitted.grid.hermite *= wider * wider * wider * wider;  // it falls with the fourth power of a cell's width
+  fitted.grid.hermite *= wider * wider * wider * wider;  // the error falls with the fourth power of a cell's width
   fitted.tolerance *= wider * wider;
   if (wider > wide) {
     fitted.max_divisions = wider > very_wide ? divisions_of_very_wide : divisions_of_wide;

@@ -72,7 +72,7 @@ AxisJet KinematicAxisPath::raw_at_parameter(std::size_t segment, double u) const
   try {
     return kinematics_.inverse(tool_jet(segment, u));
   } catch (const UnreachablePose& e) {
-    throw UnreachablePose(e.what(), here.arc_length(u), e.pose);  // only the path knows where on it that is
+    throw UnreachablePose(e.what(), here.arc_length(u), e.pose);  // the place on the path is known here only
   }
 }
 
@@ -113,8 +113,10 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
 }
 
 AxisArray largest_rates(const AxisPath& path, ProgressScope* progress) {
-  constexpr double rounding = 1e-12, surely = 1e-3;            // of what is possible; unit/mm
-  constexpr std::array inner{0.1178, 0.3451, 0.6373, 0.8682};  // of a panel: an axis may rest at both its ends
+  constexpr double rounding = 1e-12,
+                   surely = 1e-3;  // relative rate that is rounding; rate that is not, unit/mm
+  constexpr std::array inner{0.1178, 0.3451, 0.6373,
+                             0.8682};  // places inside a panel, as an axis may rest at both ends
   AxisArray most{}, between{}, possible{};
   const auto all = [&](const auto& look) {
     for (std::size_t i = 0; i < path.size(); ++i) {

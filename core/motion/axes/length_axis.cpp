@@ -11,7 +11,7 @@ AxisJet LengthAxisPath::at_parameter(std::size_t segment, double u) const {
 
 void LengthAxisPath::at_parameters(std::size_t segment, PathBatch& batch) const {
   path_.at_parameters(segment, batch);
-  const bool flat = batch.planar && last() > 2;  // what nobody wrote is 0
+  const bool flat = batch.planar && last() > 2;  // the rows of z are not written
   batch.planar = false;
   for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i) {
     if (flat) batch.d1[2].set(i, 0), batch.d2[2].set(i, 0), batch.d3[2].set(i, 0);

@@ -79,7 +79,7 @@ ToolJet Orientation::tool(const Segment& segment, std::size_t index, double u) c
   // The speed of lines and arcs is constant, without the rounding of a norm.
   const double speed = curve.kind() == CurveKind::rational ? norm(h.d1) : curve.speed(u);
   double u1 = 1 / speed, u2 = 0, u3 = 0;
-  if (curve.kind() == CurveKind::rational) {  // of lines and arcs s is linear in u
+  if (curve.kind() == CurveKind::rational) {  // on lines and arcs s is linear in u
     const double grows = dot(h.d1, h.d2) / speed, bends = (dot(h.d2, h.d2) + dot(h.d1, h.d3) - grows * grows) / speed,
                  cube = u1 * u1 * u1;
     u2 = -grows * cube;

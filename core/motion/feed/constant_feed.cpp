@@ -9,7 +9,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double resolution = 1e-9;   // of a feed
+constexpr double resolution = 1e-9;   // resolution of a feed, relative
 constexpr double least_feed = 1e-6;   // mm/s: what is slower is no motion
 constexpr double exactly = 1 + 1e-9;  // a requested feed may equal the largest one but for rounding
 
@@ -37,7 +37,7 @@ FeedLimit slowest(const FeedGrid& grid, double s0, double s1) {
 bool write_feed(const FeedGrid& grid, SpeedProfile profile, const std::vector<FeedHold>& holds, TimeLaw& law) {
   const FeedChanges changes(grid, profile);
   FeedLawWriter writer(law, grid.task().path.tool(), holds.front().s0);
-  const double slack = 1e-14 * grid.task().path.length();  // what rounding does to the places of holds
+  const double slack = 1e-14 * grid.task().path.length();  // rounding of the places of holds
   for (std::size_t i = 0; i + 1 < holds.size(); ++i) {
     const FeedHold &here = holds[i], &next = holds[i + 1];
     const double room = next.s0 - here.s1 + slack;

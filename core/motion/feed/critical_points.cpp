@@ -9,7 +9,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double resolution = 1e-4;  // of the speed of a hill
+constexpr double resolution = 1e-4;  // resolution of the speed of a hill, relative
 constexpr double least_gain = 1e-7;  // s: what is gained by less than that is not worth a change
 
 /// A part of a segment with the largest feed at which all of it may be passed.

@@ -10,7 +10,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr std::size_t per_panel = 16;
-constexpr double resolved = 1e-5;  // of where the largest curvature is looked for
+constexpr double resolved = 1e-5;  // part of the interval in which the largest curvature is searched
 
 }  // namespace
 

@@ -8,10 +8,10 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double margin = 1 - 1e-3;  // of accelerations and jerks: the nodes are not everywhere
+constexpr double margin = 1 - 1e-3;  // used part of accelerations and jerks, since limits are evaluated at nodes only
 constexpr double aim = 1 - 3e-3;     // margin, so that the next trial is not rejected at the same place
 constexpr double least_share = 0.02, when_too_fast = 0.75;
-constexpr double time_exact = 1e-9;  // of a piece
+constexpr double time_exact = 1e-9;  // resolution of times, as a part of a piece
 constexpr int tries = 24;
 
 /// Derivatives between two nodes of a segment: cubics through values and slopes, of q‴ a line.

@@ -8,7 +8,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double nothing = 1e-9;  // of the peak acceleration
+constexpr double nothing = 1e-9;  // part of the peak acceleration that counts as none
 
 /// A rise backwards in time.
 RisePiece mirrored(const RisePiece& p) {
@@ -44,7 +44,7 @@ void FeedLawWriter::change(const FeedChange& change, double s_end) {
     LawPiece piece = law_piece(p, change.low);
     piece.s = s_;
     const bool last = i + 1 == pieces.size();
-    LawState end;  // where the next one begins
+    LawState end;  // state in which the next piece begins
     end.s = last ? s_end : piece.at(p.duration).s;
     if (last) {
       end.v = change.forwards ? change.high() : change.low;

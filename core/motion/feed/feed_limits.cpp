@@ -9,7 +9,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr double flat = 1e-8;        // neighbours that differ by less have nothing between them that counts
-constexpr double exact = 1 + 1e-12;  // what rounding may do to a limit that is reached
+constexpr double exact = 1 + 1e-12;  // factor for the rounding of a limit that is reached
 
 double ratio(double limit, double rate) { return std::abs(rate) > 0 ? limit / std::abs(rate) : unlimited; }
 
@@ -118,7 +118,9 @@ FeedLimit FeedGrid::at(std::size_t segment, double u) const {
 FeedLimit FeedGrid::slowest_around(std::size_t segment, double low, double high) const {
   struct Slow {
     FeedLimit limit;
-    bool operator<(const Slow& other) const { return !(limit.speed < other.limit.speed); }  // of equals the later one
+    bool operator<(const Slow& other) const {
+      return !(limit.speed < other.limit.speed);
+    }  // among equals the later one
   };
   const auto slow = [&](double u) { return Slow{at(segment, u)}; };
   const auto slowest = golden_section(slow, low, high, 1e-5 * (high - low));

@@ -20,9 +20,9 @@ namespace {
 
 /// Gauss's rule gives the places at which limits are evaluated, and the duration's quadrature.
 constexpr std::size_t per_part = 4;
-constexpr int parts = 2;  // of a span, each with these places
+constexpr int parts = 2;  // parts of a span, each with these places
 constexpr std::size_t per_span = parts * per_part;
-constexpr double slack = 1e-6;  // of a limit: what windows leave to each other's rounding
+constexpr double slack = 1e-6;  // part of a limit that each window leaves for rounding
 
 std::vector<double> breaks(const Path& tool, std::size_t spans) {
   std::vector<double> all{0};
@@ -65,7 +65,7 @@ class SplinePlanner {
  private:
   struct Node {
     SpeedSpline::Place place;
-    double weight = 0;  // of σ_w/v in the duration
+    double weight = 0;  // weight of σ_w/v in the duration
     double fastest = unlimited;
     AxisArray d1, d2, d3;
   };

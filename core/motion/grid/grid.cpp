@@ -12,9 +12,10 @@ namespace {
 constexpr int max_parts = 16;  // cells made at once; an interval with more is halved first
 constexpr int end_halvings = 4;
 constexpr std::size_t usual_segment = 1 << 10;  // cells; longer ones may outgrow the room that was made for them
-constexpr double shortest_smooth = 1e-5;        // of a segment, next to a vanishing tangent that no motion notices
-constexpr double needle_reach = 2e-11;          // of a segment, beside a needle point that cells may be too wide for
-constexpr double min_interval = 1e-6;           // of a segment's parameter range: grading towards a cusp ends here
+constexpr double shortest_smooth =
+    1e-5;  // shortest cell next to a vanishing tangent without effect on motions, as a part of a segment
+constexpr double needle_reach = 2e-11;  // part of a segment beside a needle point for which cells may be too wide
+constexpr double min_interval = 1e-6;   // part of a segment's parameter range at which grading towards a cusp ends
 
 template <int N>
 double distance(const Lanes<N>& a, const Lanes<N>& b) {
@@ -187,7 +188,8 @@ class Layer {
     const Station<N> left = grid_.stations.back();
     std::array<double, N> turning{};
     std::size_t count = 0;
-    constexpr double closest = 1e-3;  // of the cell: two axes may turn at one place but for rounding
+    constexpr double closest = 1e-3;  // least distance of divisions, as a part of the cell: two axes may reverse at
+                                      // places that differ by rounding
     for (std::size_t k = 0; k < N; ++k) {
       if (!(left.d1[k] * right.d1[k] < 0)) continue;
       double a = left.u, b = right.u, fa = left.d1[k], fb = right.d1[k], u = a;

@@ -11,7 +11,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr std::size_t kept_rows = 256;
-constexpr double least_share = 1e-3;  // of the longest step
+constexpr double least_share = 1e-3;  // part of the longest step that errors are related to at least
 
 double arc(const Curve& curve, double from, double to) {
   const double middle = (from + to) / 2, half = (to - from) / 2;

@@ -18,7 +18,7 @@ double grow(double most, double b, double h, double acceleration, double jerk) {
   return v * v;
 }
 
-constexpr double part = 0.7;  // of the straight limits: bending needs some, too
+constexpr double part = 0.7;  // used part of the limits along a straight line; bending needs the rest
 
 /// The backward pass over one cell: v² at its left end, and its duration.
 template <int N>
@@ -99,7 +99,7 @@ void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfil
   // Times v²: a narrow trough may be as narrow for a good reason, a cusp for instance. Narrow windows show less of what
   // is beside it.
   const double most = narrowing ? 8 : 4;
-  constexpr double widening = 0.25;  // of half a window, per time
+  constexpr double widening = 0.25;  // growth of half a window per time
   constexpr int most_halvings = 12;
   const std::size_t n = grid.cells.size();
   auto &b = profile.b, &duration = profile.duration, &smooth_b = profile.smooth_b, &s = profile.s, &t = profile.t,
@@ -121,7 +121,7 @@ void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfil
   std::size_t from = 0, to = 0;
   /// Returns the square of the mean speed within a time w of node i. O(1) for queries in the order of nodes.
   const auto mean = [&](std::size_t i, double w) {
-    while (from > 0 && t[from] > t[i] - w) --from;  // where windows widen their begin may go back
+    while (from > 0 && t[from] > t[i] - w) --from;  // the beginning of a wider window may lie before the last one
     while (from + 1 < i && t[from + 1] <= t[i] - w) ++from;
     while (to > i && t[to] > t[i] + w) --to;
     while (to + 1 < n && t[to + 1] <= t[i] + w) ++to;

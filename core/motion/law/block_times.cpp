@@ -11,7 +11,7 @@ std::vector<BlockTime> block_times(const Contour& contour, const TimeLaw& law) {
   const auto enter = [&](std::size_t block, double t) {
     while (begin.size() <= block && begin.size() < blocks.size()) begin.push_back(t);
   };
-  std::size_t block = 0, rest = 0;  // of the current segment; the next one of the contour
+  std::size_t block = 0, rest = 0;  // block of the current segment; next rest of the contour
   // The motion may also rest elsewhere, for example while it waits for a filter: that time belongs to the current
   // block.
   const auto there = [&](const Rest& at, const LawPiece& piece) {
@@ -20,7 +20,7 @@ std::vector<BlockTime> block_times(const Contour& contour, const TimeLaw& law) {
     const Segment& last = contour.path[contour.path.size() - 1];
     return piece.segment + 1 == contour.path.size() && piece.s > 0.5 * (last.s0() + last.s1());
   };
-  for (const LawPiece& piece : law.pieces()) {  // none spans two segments
+  for (const LawPiece& piece : law.pieces()) {  // no piece spans two segments
     while (rest < contour.rests.size() && !(contour.rests[rest].seconds > 0)) ++rest;
     if (rest < contour.rests.size() && dwells(piece) && there(contour.rests[rest], piece)) {
       enter(contour.rests[rest++].block, piece.t0);

@@ -12,7 +12,8 @@ namespace {
 
 // PeakSweep resolves 2e-11 of its scale: with this multiple of the peak for scale, 1e-7 of the peak.
 constexpr double coarsening = 5e3;
-constexpr std::array looked_at{0.0, 0.25, 0.5, 0.75, 1.0};  // of a piece, before peaks are searched between
+constexpr std::array looked_at{0.0, 0.25, 0.5, 0.75,
+                               1.0};  // places in a piece that are evaluated before peaks are searched
 
 class LawExcess {
  public:

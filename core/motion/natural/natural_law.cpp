@@ -16,7 +16,7 @@ namespace {
 constexpr double reference_speed = 1e5;  // mm/s: faster than any machine, so that what follows only slows
 constexpr int durations_tried = 400;
 
-using State = LawState;  // its jerk is not used
+using State = LawState;  // the jerk is not used
 
 /// A change of speed and acceleration from one pair to another: v(t) is the cubic that meets both at both ends.
 struct Change {

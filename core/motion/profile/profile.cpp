@@ -16,7 +16,7 @@ namespace {
 /// Parameters of the two changes of a move.
 struct Task {
   SpeedChangeLaw law;
-  double low, high;  // of the two end speeds
+  double low, high;  // lower and higher one of the end speeds
   double gap() const { return high - low; }
   double direct() const { return (low + high) / 2 * law.duration(gap()); }
   /// Distance when it dips to rest.

@@ -8,7 +8,7 @@ namespace {
 /// A change upwards from its lower speed, s and t from 0.
 struct Rise {
   std::array<ProfilePiece, 7> piece;
-  std::array<ProfileState, 7> end;  // of each piece
+  std::array<ProfileState, 7> end;  // state at the end of each piece
   std::size_t count = 0;
   double duration = 0, distance = 0;
 };

@@ -32,7 +32,8 @@ Rise double_s(double height, double acceleration, double jerk) {
   Rise rise;
   rise.height = height;
   const SpeedChange change = SpeedChangeLaw(acceleration, jerk, unlimited).shape(height);
-  const double a = change.acceleration, rise_gain = change.jerk_hold * a / 2;  // what the speed gains while a rises
+  const double a = change.acceleration,
+               rise_gain = change.jerk_hold * a / 2;  // gain of speed while the acceleration rises
   add(rise, {change.jerk_hold, 0, 0, change.jerk, 0});
   add(rise, {change.hold, rise_gain, a, 0, 0});
   add(rise, {change.jerk_hold, height - rise_gain, a, -change.jerk, 0});

@@ -10,7 +10,7 @@ namespace {
 using Sides = Lanes<2>;
 
 constexpr double never = 1e300;
-constexpr double most_down = 0.9, most_up = 4;  // of b by one step
+constexpr double most_down = 0.9, most_up = 4;  // largest relative change of b in one step
 
 Sides both(double x) { return Sides{x, -x}; }
 
@@ -101,7 +101,7 @@ void RelaxationSolver<N>::assemble() {
     duration_ += s.T;
     s.time.advance(primal, dual);
     std::array<double, 3> e, pull{}, coupling{};
-    std::array<double, 6> block{};  // by places 00, 10, 11, 20, 21, 22
+    std::array<double, 6> block{};  // entries at 00, 10, 11, 20, 21, 22
     double value = -s.T;
     for (std::size_t r = 0; r < 3; ++r) {
       const double time = c[r]->time[r] * root_[j + 2 - r];
@@ -146,7 +146,8 @@ void RelaxationSolver<N>::assemble() {
 // L D Lᵀ of five diagonals.
 template <int N>
 void RelaxationSolver<N>::factor() {
-  double d1 = 0, l1 = 0, l2 = 0, d2 = 0, m2 = 0;  // of the row before; D and the second of the one before that
+  double d1 = 0, l1 = 0, l2 = 0, d2 = 0,
+         m2 = 0;  // factors of the previous row; D and the second factor of the row before that
   for (std::size_t a = 2; a < cells_ + 2; ++a) {
     double d = matrix_[a][0] - l1 * l1 * d1 - m2 * m2 * d2;
     const double next = matrix_[a][1] - l1 * l2 * d1, second = matrix_[a][2];

@@ -10,10 +10,11 @@ constexpr double to_boundary = 0.995;  // part of the longest step that is taken
 // Target of the complementarity of a step relative to the present one: what the predictor would leave, near the
 // solution its square. It is at least this part of the requested gap, since infeasibility has to fall with it.
 constexpr double min_centring = 1e-4, gap_aimed_at = 0.3;
-constexpr double near = 0.03;  // from this gap on all places have one step length
+constexpr double near = 0.03;  // gap from which on all places have one step length
 constexpr double dual_tolerance = 1e-3;
 constexpr double never = 1e300;
-constexpr double first_cap = 0.3, first_slope = 0.8;  // of caps and of the steepest b at which the search begins
+constexpr double first_cap = 0.3,
+                 first_slope = 0.8;  // parts of the caps and of the steepest b with which the search begins
 
 }  // namespace
 
@@ -35,7 +36,7 @@ void RelaxationSolver<N>::take(const RelaxationProblem<N>& problem) {
   // constant jerk.
   double reach = 0, total = 0;
   for (const auto& cell : cells) total += cell.length;
-  std::vector<double>& rise = step_;  // of b per cell
+  std::vector<double>& rise = step_;  // rise of b in each cell
   for (std::size_t i = 0; i < cells_; ++i) {
     const RelaxationCell<N>& cell = cells[i];
     const double middle = reach + cell.length / 2;

@@ -63,7 +63,7 @@ NeedleSetpoints::Place NeedleSetpoints::place(Row& row) const {
     LawState law = row.stepped.law;
     law.s = row.stepped.place.s;
     const std::size_t segment = row.stepped.place.segment;
-    return {segment, (*axes_)[segment].parameter(law.s), law};  // as everyone finds it who reads s
+    return {segment, (*axes_)[segment].parameter(law.s), law};  // the place that follows from column s
   }
   row.piece = motion_->law().find(row.t, row.piece);
   const LawState law = motion_->along(row.piece, row.t);

@@ -41,7 +41,7 @@ double largest(const Vector& a) {
   return most_of(a.size(), 0, [&](std::size_t i) { return std::abs(a[i]); });
 }
 
-constexpr int most_directions = 12;  // of GMRES
+constexpr int most_directions = 12;  // most directions of GMRES
 
 class Driver {
  public:
@@ -153,7 +153,7 @@ class Driver {
     }
   }
 
-  static constexpr double keep = 0.995;  // of the distance to the nearest bound
+  static constexpr double keep = 0.995;  // part of the distance to the nearest bound that a step takes
 
   InteriorPointSystem& system_;
   InteriorPoint& p_;

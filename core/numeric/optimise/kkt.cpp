@@ -11,8 +11,8 @@ double kkt_residual(OptimisationEvaluator& evaluator, const OptimisationPoint& p
   using Eigen::Index;
   constexpr double near = 1e-3;
   struct Active {
-    std::size_t index;  // of a row or of a variable
-    double sign;        // of a bound's gradient; 0: a row
+    std::size_t index;  // index of a row or of a variable
+    double sign;        // sign of a bound's gradient; 0: a row
     double slack;
   };
   const std::size_t n = point.z.size(), inequalities = evaluator.problem().inequality.rows;

@@ -33,7 +33,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& a, const Eigen
 
   const Eigen::VectorXd norms = a.colwise().norm();
   const double rounding = 1e-14 * b.norm();
-  std::vector<bool> closed;  // in use, or tried in vain since y last changed
+  std::vector<bool> closed;  // whether it is in use, or was tried without success since y last changed
   for (Eigen::Index k = 0; k < 3 * n; ++k) {
     closed.assign(static_cast<std::size_t>(n), false);
     for (const Eigen::Index i : used) closed[static_cast<std::size_t>(i)] = true;
@@ -51,7 +51,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& a, const Eigen
       closed[static_cast<std::size_t>(enter)] = true;
       used.push_back(enter);
       Eigen::VectorXd next = solve();
-      if (!(next[enter] > 0)) {  // only rounding made it look useful
+      if (!(next[enter] > 0)) {  // it seemed useful by rounding only
         used.pop_back();
         continue;
       }

@@ -110,7 +110,7 @@ SearchEnd nlopt_search(OptimisationEvaluator& evaluator, const OptimisationOptio
   check(nlopt_set_xtol_rel(nlopt.get(), step_tolerance));
   check(nlopt_set_xtol_abs1(nlopt.get(), step_tolerance));
   check(nlopt_set_maxeval(nlopt.get(), static_cast<int>(std::clamp<std::size_t>(evaluator.left(), 1, 1 << 30))));
-  // Each step of mma's dual costs about 2 ns · variables · rows and asks nobody: about 5 ms at most.
+  // Each step of mma's dual costs about 2 ns · variables · rows without a call of Progress: about 5 ms at most.
   const double dual_step = static_cast<double>(std::max<std::size_t>(problem.dimension * problem.inequality.rows, 1));
   check(nlopt_set_param(nlopt.get(), "dual_maxeval", std::clamp(std::floor(2.5e6 / dual_step), 50.0, 10000.0)));
   // NLopt's generator is one per thread (thread-local in Debian's build; the tests solve in several threads at once).

@@ -58,7 +58,7 @@ void check(const OptimisationProblem& p, std::span<const double> start, const Op
               "isres and direct_l need finite bounds");
 }
 
-/// One call of minimise().
+/// The state of a call of minimise().
 class Solve {
  public:
   Solve(const OptimisationProblem& problem, const OptimisationOptions& options, Progress& progress)

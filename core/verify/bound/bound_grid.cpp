@@ -169,7 +169,7 @@ template <int N>
 void BoundGrid<N>::build(std::size_t first, std::size_t last, bool rest_first, bool rest_last) {
   nodes_.clear(), cells_.clear(), order_.clear();
   for (std::size_t i = first; i < last; ++i) append_segment(i);
-  cells_.push_back({});  // none begins at the last node
+  cells_.push_back({});  // no cell begins at the last node; this one keeps the ids equal
   if (rest_first) nodes_[order_.front()].cap = 0;
   if (rest_last) nodes_[order_.back()].cap = 0;
   fresh_.assign(1, {0, static_cast<std::uint32_t>(order_.size() - 1)});

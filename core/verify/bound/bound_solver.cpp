@@ -149,7 +149,7 @@ typename BoundSolver<N>::Doubt BoundSolver<N>::mark_switching(double total, std:
   };
   Doubt doubt;
   std::size_t i = 0;
-  for (const Span& span : reached_)  // and the neighbours of the cells that are new
+  for (const Span& span : reached_)  // marks the neighbours of new cells, too
     for (i = std::max<std::size_t>(i, span.first > 1 ? span.first - 1 : 0); i < cells && i <= span.last; ++i) {
       if (i % 64 == 0) progress_.work(8);
       const std::uint32_t id = order[i];
@@ -167,7 +167,7 @@ typename BoundSolver<N>::Doubt BoundSolver<N>::mark_switching(double total, std:
 template <int N>
 bool BoundSolver<N>::disputed(unsigned active, const Node& from, const Node& to) const {
   const std::size_t kind = active < 2 ? 2 : (active - 2u) % 3, axis = active < 2 ? 0 : (active - 2u) / 3;
-  const auto along = [&](const Node& n, double& a) {  // of the path; false: nothing to say here
+  const auto along = [&](const Node& n, double& a) {  // acceleration along the path; false: unknown here
     a = 0;
     if (active < 2) return true;
     const double t = n.tangent[axis];

@@ -11,14 +11,14 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // A cell of the relaxation takes this part of the time in which jerk brings an axis to its full acceleration, and
 // turns by no more than this, rad; a piece half of it.
 constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_onset = 0.004, part_of_section = 2e-4;
-constexpr double widest_swing = 0.1;  // of q″ b within a cell, of the axis' acceleration
+constexpr double widest_swing = 0.1;  // largest change of q″ b within a cell, as a part of the axis' acceleration
 // The largest v² of the pieces of a cell over the smallest: the relaxation knows their mean, in which a trough is lost.
 constexpr double alike = 1.2;
-constexpr std::size_t beyond = 200;  // and cells that windows of the relaxation reach further
+constexpr std::size_t beyond = 200;  // cells by which windows of the relaxation extend further
 // Worth less than 1e-5 of the bound, through kinematics 1e-4.
 constexpr double gap = 1e-4, violation = 1e-5, kinematic_gap = 3e-3, kinematic_violation = 1e-3;
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
-constexpr double min_cells = 60;  // of a section
+constexpr double min_cells = 60;  // least number of cells of a section
 // An axis that jerk brings to its full acceleration in less than this part of another axis' longest time counts as
 // immediate: cells narrow enough for its jerk would show nothing more.
 constexpr double at_once = 1.0 / 64;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double give = 1 + 1e-9, v_margin = 1 + 1e-5, rounding = 1e-12;
-constexpr double rounding_factor = 16;               // of q″, per length of the piece
-constexpr double most_change = 0.75;                 // of b: more says nothing
+constexpr double rounding_factor = 16;  // rounding error of q″ in units of that of q′ per length of the piece
+constexpr double most_change = 0.75;    // largest relative change of b with a useful result
 constexpr double close_enough = 1 + 4e-4, wide = 2;  // ratios of two b
 constexpr int most_steps = 14;
 
@@ -74,9 +74,9 @@ class Piece {
 
  private:
   struct Pair {
-    double change = 0, least = 0;   ///< of P between the ends; the smaller |P|
+    double change = 0, least = 0;   ///< change of P between the ends; the smaller |P|
     double limit = 0;               ///< mm times the sum of jerks
-    std::array<double, 2> along{};  ///< what v̇ counts at both ends
+    std::array<double, 2> along{};  ///< coefficients of v̇ at both ends
   };
 
   static double weighted(double p, double limit) { return p == 0 ? 0 : std::abs(p) * limit; }

@@ -25,7 +25,7 @@ constexpr double part_of_change = 0.1, fine_part = 0.05, kinematic_part = 0.08, 
 constexpr double capped = 0.05, capped_part = 0.35;
 // Through kinematics an enclosure costs as much as a cell of the relaxation.
 constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
-constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
+constexpr double part_joined = 0.125;  // part of the longest piece below which cells of the grid are joined to one
 // Relative change of b in a piece whose jerk limits b, and through kinematics: such a piece is halved, at most this
 // often.
 constexpr double much_change = 0.1, kinematic_change = 0.015;

@@ -32,7 +32,7 @@ struct Windows {
 // Through kinematics a window fits the processor's cache, or nearly so, for what limits of jerk lose at its ends.
 constexpr Windows cartesian_windows{4096, 128, 100'000}, kinematic_windows{256, 32, 60'000};
 // Straight segments have few nodes and may be driven fast: braking shows further there.
-constexpr double few_nodes = 4;  // of a segment
+constexpr double few_nodes = 4;  // expected nodes per segment that count as few
 constexpr std::size_t part_behind = 16, part_behind_few = 4;
 // A first grid of more nodes has wider cells, and is refined less.
 constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;

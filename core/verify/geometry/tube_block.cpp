@@ -11,8 +11,8 @@ namespace {
 
 constexpr double finest = 1e-6;        // mm
 constexpr double leaving = 2;          // tolerances: so far from a point the contour has left it
-constexpr double slack_share = 0.004;  // of the tolerance: what polygons may differ from both curves
-constexpr double enough = 0.99;        // of the tolerance: no need to know better
+constexpr double slack_share = 0.004;  // part of the tolerance by which polygons may differ from both curves together
+constexpr double enough = 0.99;        // part of the tolerance that is tried before the whole one
 constexpr std::size_t max_cells_per_edge = 64, min_cells = 50'000'000;
 constexpr std::size_t max_points = 20'000'000;
 constexpr std::size_t narrow = 8,

@@ -11,7 +11,7 @@ namespace bahnwerk::verify {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
-constexpr double lebesgue = 2.6;  // of interpolation in up to 13 Chebyshev points, at most
+constexpr double lebesgue = 2.6;  // largest Lebesgue constant of interpolation in up to 13 Chebyshev points
 
 double square(double x) { return x * x; }
 

@@ -11,7 +11,7 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double height = 2.5;  // of the strip of φ + iy in which arcs are bounded
+constexpr double height = 2.5;  // half height of the strip of φ + iy in which arcs are bounded
 constexpr double speed_part = 0.6, weight_part = 0.3;
 constexpr double least_start = 0.5;  // a curve behind a cusp is not like it
 

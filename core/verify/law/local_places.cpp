@@ -8,7 +8,7 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double nearest = 64 * epsilon;  // of a segment's length
+constexpr double nearest = 64 * epsilon;  // least distance from a cusp, as a part of the segment's length
 
 enum class Vanishing { nowhere, at_begin, at_end };
 

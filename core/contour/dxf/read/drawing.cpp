@@ -56,7 +56,7 @@ class Reader {
   /// Properties that an INSERT applies to its entities.
   struct Inherited {
     std::string_view layer;  ///< for entities on layer 0; empty at the top
-    bool off = false;        ///< that layer is switched off
+    bool off = false;        ///< whether that layer is switched off
   };
   struct Occurrence {
     std::size_t count = 0, line = 0;
@@ -92,11 +92,11 @@ class Reader {
   /// For drawings that were made on a sheet: model space holds no curve at all. The sheet shown last stands among the
   /// entities, the others are blocks; the first one that holds something is read.
   void paper_space(const Affine& to_mm) {
-    std::map<std::size_t, std::pair<std::string, DxfTags::Mark>> sheets;  // by line
+    std::map<std::size_t, std::pair<std::string, DxfTags::Mark>> sheets;  // keys are lines
     for (const auto& [name, place] : file_.blocks)
       if (name.starts_with("*paper_space")) sheets.emplace(place.line, std::pair{name, place.first});
     space_ = Space::paper;
-    blocks_.clear();  // their entities in paper space count now
+    blocks_.clear();  // so that their entities in paper space are read, too
     const auto model = noted_;
     const auto holds_something = [&](DxfTags::Mark first, const std::string& name) {
       noted_ = model;

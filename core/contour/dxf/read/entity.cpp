@@ -88,7 +88,7 @@ bool take_point(const DxfTag& tag, int code, Vec& point) {
 Affine dxf_object_system(Vec normal, std::size_t line) {
   const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
   if (!(largest > 0)) refuse_dxf(line, "the extrusion direction has no length");
-  normal = normal / largest;  // its square may be beyond the range of numbers
+  normal = normal / largest;  // avoids overflow of the square
   const Vec n = normal / norm(normal);
   Vec x = std::abs(n.x) < 1.0 / 64 && std::abs(n.y) < 1.0 / 64 ? cross({0, 1, 0}, n) : cross({0, 0, 1}, n);
   x = x / norm(x);

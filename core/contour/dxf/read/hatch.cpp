@@ -17,7 +17,7 @@ constexpr double turn = 2 * std::numbers::pi, degree = std::numbers::pi / 180;
 
 struct Edge {
   std::vector<Drawn> curves;
-  std::optional<Drawn> other;  ///< of an ellipse, whose angles some programs write as parameters
+  std::optional<Drawn> other;  ///< second reading of an ellipse, whose angles some programs write as parameters
 };
 
 struct Angles {
@@ -133,7 +133,7 @@ void settle_ellipses(std::vector<Edge>& edges) {
 
 /// Edges end to end are one shape; where the next one begins elsewhere another shape does.
 std::vector<DxfShape> chained(const std::vector<Edge>& edges, const Affine& map) {
-  constexpr double same = 1e-6;  // of their size
+  constexpr double same = 1e-6;  // part of the size of curves by which ends that meet may differ
   std::vector<DxfShape> shapes;
   for (const Edge& edge : edges)
     for (const Drawn& curve : edge.curves) {
@@ -179,7 +179,7 @@ DxfShape polyline_path(Tags tags, const Affine& map, double elevation, DxfTags& 
     take_number(tag, 10, vertex.at.x) || take_number(tag, 20, vertex.at.y) || take_number(tag, 42, vertex.bulge);
   }
   for (DxfVertex& vertex : vertices) vertex.at.z = elevation;
-  return dxf_joined(vertices, true, map, file);  // it bounds an area
+  return dxf_joined(vertices, true, map, file);  // closed, because it bounds an area
 }
 
 }  // namespace

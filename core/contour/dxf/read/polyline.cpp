@@ -85,7 +85,7 @@ DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags) {
   }
   const bool in_space = (flags & 8) != 0;
   std::vector<DxfVertex> vertices;
-  std::vector<InputFault> faults;  // all vertices have to be read, whatever is wrong with one
+  std::vector<InputFault> faults;  // collected, because all vertices have to be read
   DxfRecord part;
   for (;;) {
     const auto mark = tags.mark();

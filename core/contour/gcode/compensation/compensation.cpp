@@ -105,7 +105,7 @@ void Compensation::offset(Vec to, Vec centre, ArcMove how) {
   }
   if (same_place(from, to)) return;
   if (last_ || lead_) return add({offset_line(from, to, aside_), here, to.z, 0});
-  lead_ = to;  // no arc at all
+  lead_ = to;  // the arc has no length
   lead_manner_ = here;
 }
 
