@@ -19,7 +19,8 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::size_t max_slowed_listed = 1000;
-constexpr double cells_per_time = 24;  // of √(stroke/coarse acceleration), as JointOptions::cell has it
+constexpr double cells_per_time =
+    24;  // cells per time √(stroke/coarse acceleration), the default of JointOptions::cell
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 

@@ -57,9 +57,9 @@ class BorderedBand final : public InteriorPointSystem {
   std::size_t band_variables() const { return position_.size(); }
   std::size_t borders() const { return border_cost_.size(); }
   std::size_t rows() const { return rows_.size(); }
-  /// Index of a shared variable in x.
+  /// Returns the index of a shared variable in x.
   std::size_t border_index(std::size_t border) const { return position_.size() + border; }
-  /// Indices of the sides of a row in s and z; BorderedRow::none for an unlimited side.
+  /// Returns the indices of the sides of a row in s and z; BorderedRow::none for an unlimited side.
   std::size_t upper_side(std::size_t row) const { return rows_[row].upper; }
   std::size_t lower_side(std::size_t row) const { return rows_[row].lower; }
 
@@ -71,7 +71,7 @@ class BorderedBand final : public InteriorPointSystem {
                       std::vector<double>& out) const override;
   bool factor(const std::vector<double>& weights) override;
   void solve(std::vector<double>& x, std::vector<double>& y) const override;
-  /// The weights of the last factors.
+  /// Returns the weights of the last factor().
   const std::vector<double>& weights() const { return weights_; }
 
  private:

@@ -39,9 +39,9 @@ class Hodograph {
   std::array<double, 3> rest(double t0, double t1);
 
   double pivot_, inverse_reach_;
-  std::size_t axes_ = 2, count_ = 0, weights_ = 1;
-  std::array<Row, 3> v_{};  ///< coefficients of V
-  Row size_{};              ///< magnitudes of the coefficients of all components together without cancellation
+  std::size_t axes_ = 2, count_ = 0, weights_ = 1;  ///< numbers of components of V, and of coefficients of V and of w
+  std::array<Row, 3> v_{};                          ///< coefficients of V
+  Row size_{};  ///< magnitudes of the coefficients of all components together without cancellation
   Row w_{};
   double begin_, width_;                              ///< interval of t
   std::array<std::array<double, 3>, parts> fifth_{};  ///< bounds of V⁽⁵⁾/5! over parts of the curve, computed on demand
