@@ -44,7 +44,9 @@ const json& resolve_ref(const json& root, const json& schema) {
   if (!schema.is_object() || !schema.contains("$ref")) return schema;
   const auto& ref = schema["$ref"].get_ref<const std::string&>();
   if (!ref.starts_with("#/")) throw std::invalid_argument("schema: $ref " + ref + " is not local");
-  return root.at(json::json_pointer(ref.substr(1)));
+  const json::json_pointer target(ref.substr(1));
+  if (!root.contains(target)) throw std::invalid_argument("schema: $ref " + ref + " leads nowhere");
+  return root.at(target);
 }
 
 void check_schema(const json& schema) { check_node(schema, schema); }

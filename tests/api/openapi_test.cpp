@@ -128,15 +128,5 @@ TEST(OpenApi, TheJobResourceIsTheOneDescribed) {
   EXPECT_EQ(described, written);
 }
 
-TEST(Kinds, AreListedWithTheirSchemas) {
-  const auto document = kinds_document();
-  ASSERT_EQ(document["kinds"].size(), kinds().size());
-  EXPECT_EQ(document["kinds"][0]["name"], "contour");
-  EXPECT_EQ(document["kinds"][0]["schema"], "/v1/schemas/contour");
-  EXPECT_EQ(document["kinds"][0]["result_schema"], "/v1/schemas/contour.result");
-  EXPECT_EQ(find_kind("contour"), &kinds()[0]);
-  EXPECT_EQ(find_kind("Contour"), nullptr);
-}
-
 }  // namespace
 }  // namespace bahnwerk::api

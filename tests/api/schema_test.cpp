@@ -14,45 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string only_message(const std::string& schema, const std::string& document) {
-  const auto errors = Schema(schema).validate(json::parse(document));
-  if (errors.size() != 1) return std::to_string(errors.size()) + " errors";
-  return errors[0].pointer + ": " + errors[0].message;
-}
-
-TEST(Schema, SaysWhatIsWrongAndWhere) {
-  const auto in_a = [](const std::string& rule, const std::string& value) {
-    return only_message(R"({"type":"object","properties":{"a":)" + rule + "}}", R"({"a":)" + value + "}");
-  };
-  EXPECT_EQ(in_a(R"({"type":"number"})", "\"x\""), "/a: must be a number");
-  EXPECT_EQ(in_a(R"({"type":["integer","null"]})", "1.5"), "/a: must be an integer or null");
-  EXPECT_EQ(in_a(R"({"minimum":0.5})", "0"), "/a: must be at least 0.5");
-  EXPECT_EQ(in_a(R"({"maximum":1e7})", "1e8"), "/a: must be at most 1e+07");
-  EXPECT_EQ(in_a(R"({"exclusiveMinimum":0})", "0"), "/a: must be greater than 0");
-  EXPECT_EQ(in_a(R"({"exclusiveMaximum":1})", "1"), "/a: must be less than 1");
-  EXPECT_EQ(in_a(R"({"enum":["a","b"]})", "\"c\""), "/a: must be one of \"a\", \"b\"");
-  EXPECT_EQ(in_a(R"({"const":3})", "4"), "/a: must be 3");
-  EXPECT_EQ(in_a(R"({"minLength":1})", "\"\""), "/a: must have at least 1 character");
-  EXPECT_EQ(in_a(R"({"maxLength":2})", "\"äöü\""), "/a: must have at most 2 characters");
-  EXPECT_EQ(in_a(R"({"minItems":2})", "[1]"), "/a: must have at least 2 items");
-  EXPECT_EQ(in_a(R"({"maxItems":1})", "[1,2]"), "/a: must have at most 1 item");
-  EXPECT_EQ(in_a(R"({"items":{"type":"string"}})", "[\"\",1]"), "/a/1: must be a string");
-  EXPECT_EQ(in_a(R"({"required":["b/c"]})", "{}"), "/a/b~1c: is required");
-  EXPECT_EQ(in_a(R"({"properties":{"b":{}},"additionalProperties":false})", R"({"c":1})"),
-            "/a/c: unknown member; known are b");
-  EXPECT_EQ(in_a("false", "1"), "/a: is not allowed here");
-  EXPECT_EQ(in_a(R"({"enum":["a"],"x-not-available":["b"]})", "\"b\""),
-            "/a: \"b\" is not available in this version; available: \"a\"");
-  EXPECT_EQ(in_a(R"({"oneOf":[{"title":"p","required":["p"]},{"title":"q","required":["q"]}]})", "{}"),
-            "/a: must be exactly one of: p, or q");
-}
-
-TEST(Schema, FollowsReferences) {
-  const std::string schema =
-      R"({"items":{"$ref":"#/$defs/p"},"$defs":{"p":{"type":"array","items":{"$ref":"#/$defs/n"}},"n":{"type":"number"}}})";
-  EXPECT_EQ(only_message(schema, "[[1],[2,\"x\"]]"), "/1/1: must be a number");
-}
-
 TEST(Schema, PutsThePrefixBeforeEveryPointer) {
   const auto errors = Schema(R"({"required":["a"]})").validate(json::object(), "/spec");
   ASSERT_EQ(errors.size(), 1u);
@@ -70,7 +31,7 @@ TEST(Schema, RefusesKeywordsThatItWouldIgnore) {
        {R"({"dependentRequired":{}})", R"({"properties":{"a":{"pattern":"x"}}})", R"({"items":{"multipleOf":2}})",
         R"({"$ref":"other.json"})", R"({"oneOf":[{"unevaluatedProperties":false}]})"})
     EXPECT_THROW(Schema{schema}, std::invalid_argument) << schema;
-  EXPECT_ANY_THROW(Schema{R"({"$ref":"#/$defs/missing"})"});
+  EXPECT_THROW(Schema{R"({"$ref":"#/$defs/missing"})"}, std::invalid_argument);
 }
 
 // The served schemas promise what the code does: every node is closed, described and carries units.
@@ -153,17 +114,6 @@ TEST(ServedSchemas, AreClosedDescribedAndCarryUnits) {
     EXPECT_NO_THROW(Schema{text}) << name;
     EXPECT_EQ(Lint(schema, of).findings, std::vector<std::string>{}) << name;
   }
-}
-
-TEST(ServedSchemas, AreTheFilesOfTheSourceTree) {
-  std::set<std::string> names;
-  for (const auto& file : test::json_files("schemas")) {
-    const auto name = std::filesystem::path(file).stem().string();
-    EXPECT_EQ(embedded(name), test::read_file(file)) << name;
-    names.insert(name);
-  }
-  EXPECT_EQ(names.size(), embedded_files().size());
-  EXPECT_EQ(embedded("no-such-file"), "");
 }
 
 TEST(Lint, FindsWhatItLooksFor) {

@@ -12,6 +12,7 @@
 #include "core/motion/feed/curvature_feed.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/numeric/bisection.hpp"
+#include "core/plan/winding/laid_coils.hpp"
 #include "core/plan/winding/link_timer.hpp"
 #include "core/plan/winding/wire_length.hpp"
 #include "core/verify/law/total_jerk.hpp"
@@ -34,9 +35,6 @@ using winding::StatorPart;
 constexpr double most_lag = 0.5;
 // mm or deg, largest deviation of an axis' setpoint from the motion, from the inverse of the arc length and rounding.
 constexpr double rounding_of_rows = 1e-10;
-// Number of wires beyond those wound for which the stability of the pile is decided: 400 take about 0.5 s, 1200 about
-// 10 s.
-constexpr std::size_t most_decided = 400;
 constexpr double clearance_tolerance = 0.001;  // mm
 // Links that share only the tangent cause steps of an axis' acceleration at joints, by at most jerk · cycle time
 // (core/motion/grid/sections.hpp). A third difference of setpoints is the mean of the jerk weighted by the quadratic
@@ -44,18 +42,14 @@ constexpr double clearance_tolerance = 0.001;  // mm
 // jerk itself. With this share of the limit both together keep it.
 constexpr double share_beside_steps = 1 / 1.75;
 // Ends of the stages, as shares of the whole job.
-constexpr double fitted = 0.03, laid = 0.05, linked = 0.2, cleared = 0.25, reached = 0.3, planned = 0.97;
-
-InvalidInput fault(std::vector<std::string> place, std::string message) {
-  return InvalidInput(std::vector<InputFault>{{std::move(place), std::move(message)}});
-}
+constexpr double laid = coils_laid, linked = 0.2, cleared = 0.25, reached = 0.3, planned = 0.97;
 
 class Planner {
  public:
   Planner(const WindingRequest& request, Progress& progress) : request_(request), progress_(progress) {}
 
   WindingPlan run() {
-    std::visit([&](const auto& part) { plan_layout(part); }, request_.part);
+    lay_coils(request_, plan_, progress_);
     progress_.report("link", laid);
     plan_.path = linked_by(request_.links.objective);
     if (request_.minimum_time) quicken();
@@ -78,89 +72,6 @@ class Planner {
   }
 
  private:
-  template <class Part>
-  void plan_layout(const Part& part) {
-    const winding::Slot slot = winding::checked_slot(part);
-    std::vector<winding::LayingRegions> regions;
-    for (const winding::Coil& coil : request_.coils) regions.push_back(winding::coil_regions(part, slot, coil));
-    ProgressPart laying(progress_, "layout", 0, fitted);
-    plan_.layout = winding::needle(regions.front(), request_.wire.radius(), slot.tension_point, laying);
-    const std::size_t places = plan_.layout[0].wires.size(), parallel = request_.parallel, most = places / parallel;
-    if (places == 0) throw fault({"wire"}, "does not fit into the slot");
-    if (most == 0)
-      throw fault({"coil", "parallel"}, "are " + std::to_string(parallel) +
-                                            " wires in hand; the layout of this wire has places for " +
-                                            std::to_string(places));
-    if (request_.turns > most)
-      throw fault({"coil", "turns"}, "need " + std::to_string(request_.turns * parallel) +
-                                         " places; the layout of this wire has " + std::to_string(places));
-    plan_.turns = winding::turns_of(regions, plan_.layout, request_.turns > 0 ? request_.turns : most,
-                                    request_.wire.radius(), parallel);
-    decide_windable(slot);
-    if (request_.law == FeedLaw::bspline && plan_.turns.size() > max_spline_turns)
-      throw fault({"feed", "law"}, too_many_spline_turns(plan_.turns.size()));
-    ProgressPart supporting(progress_, "support points", fitted, laid);
-    plan_.support = support(part, supporting);
-    check_depth(slot_depth(part, slot));
-  }
-  /// Returns the depth of the tip in the slot, mm: below a stator's bore, or under a rotor's outer circle.
-  double slot_depth(const StatorPart& part, const winding::Slot&) const {
-    return farthest([bore = winding::bore(part) / 2](double from_axis) { return from_axis - bore; });
-  }
-  double slot_depth(const RotorPart& part, const winding::Slot& slot) const {
-    double outer = 0;
-    for (const Edge& edge : slot.iron.edges())
-      outer =
-          std::max(outer, std::hypot(part.heads.tooth_radius + edge.from.x, part.heads.tooth_half_width + edge.from.y));
-    return farthest([outer](double from_axis) { return outer - from_axis; });
-  }
-  template <class Depth>
-  double farthest(Depth depth) const {
-    double most = 0;
-    for (const FixedPiece& piece : plan_.support)
-      if (piece.kind == FixedPiece::Kind::region && piece.region % 2 == 0)
-        for (const winding::SupportPoint* point : {&piece.begin, &piece.end})
-          most = std::max(most, depth(std::hypot(point->pose.tip.x, point->pose.tip.y)));
-    return most;
-  }
-  /// Checks that holder and swivel stay outside the slot.
-  void check_depth(double depth) const {
-    const auto deep = [&](const char* what) {
-      char text[160];
-      std::snprintf(text, sizeof text, "is too short: the tip goes %.4g mm deep into the slot, and %s with it", depth,
-                    what);
-      return std::string(text);
-    };
-    if (request_.needle.length < depth) throw fault({"needle", "length"}, deep("the needle's holder"));
-    if (request_.swivel_length < depth) throw fault({"machine", "l_tool"}, deep("the swivel"));
-  }
-  /// Decides whether the layout can be wound, as kind fill_factor does.
-  void decide_windable(const winding::Slot& slot) {
-    const std::size_t wanted = plan_.turns.size() / request_.coils.size() * request_.parallel;
-    std::array<winding::Layout, 2> layouts{plan_.layout[0], plan_.layout[2]};
-    for (winding::Layout& layout : layouts) {
-      const std::size_t count = std::min(layout.wires.size(), std::max(wanted, most_decided));
-      layout.wires.resize(count), layout.tension_points.resize(count);
-    }
-    winding::LaidCoil coil{slot, request_.wire.radius(), layouts[0], slot.tension_point,
-                           winding::Needle{request_.needle.width, winding::Needle::Stand::middle, request_.parallel}};
-    coil.back = &layouts[1];
-    coil.swivels = request_.model.pivot_limit.has_value();
-    ProgressPart verdict(progress_, "layout", fitted, fitted);
-    plan_.windable = winding::windable(coil, request_.hold, verdict);
-  }
-  std::vector<FixedPiece> support(const StatorPart& part, Progress& progress) const {
-    return winding::support_points(part, request_.coils, plan_.turns, needle_model(), progress);
-  }
-  std::vector<FixedPiece> support(const RotorPart& part, Progress& progress) const {
-    return winding::support_points(part, plan_.turns, needle_model(), progress);
-  }
-  winding::NeedleModel needle_model() const {
-    winding::NeedleModel model = request_.model;
-    model.shape = request_.needle, model.clearance = request_.least_clearance;
-    return model;
-  }
-
   winding::NeedlePath linked_by(LinkObjective objective) {
     winding::LinkOptions options = request_.links;
     options.objective = objective;
@@ -423,7 +334,7 @@ std::string too_many_spline_turns(std::size_t turns) {
 }
 
 WindingPlan plan_winding(const WindingRequest& request, Progress& progress) {
-  if (request.coils.empty()) throw fault({"coil"}, "no coil to wind");
+  if (request.coils.empty()) throw InvalidInput(std::vector<InputFault>{{{"coil"}, "no coil to wind"}});
   return Planner(request, progress).run();
 }
 

@@ -1,9 +1,15 @@
 #pragma once
 /// Documents of windings, and of the machines for them.
+#include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <string_view>
 
+#include "api/kind.hpp"
+#include "core/base/progress.hpp"
+#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api::winding_kind {
@@ -15,6 +21,26 @@ inline nlohmann::json example(const std::string& name) {
 }
 inline nlohmann::json machine(const std::string& name) {
   return test::read_json(test::source("examples/machines/" + name + ".json"));
+}
+
+/// The plan of a spec, whose result follows its schema.
+inline PlannedJob planned(const nlohmann::json& spec) {
+  SilentProgress silent;
+  return test::checked(find_kind("winding")->plan(spec, silent));
+}
+
+/// The problem that a job with this spec ends with.
+inline std::string problem_of(const nlohmann::json& spec, std::string_view slug) {
+  try {
+    SilentProgress silent;
+    find_kind("winding")->plan(spec, silent);
+  } catch (...) {
+    const Problem problem = problem_from_current_exception();
+    EXPECT_EQ(problem.type().slug, slug);
+    return problem.what();
+  }
+  ADD_FAILURE() << "planned";
+  return {};
 }
 
 }  // namespace bahnwerk::api::winding_kind

@@ -8,123 +8,14 @@
 
 #include "api/kind.hpp"
 #include "api/kinds/fill_factor/fill_factor.hpp"
-#include "api/kinds/winding/winding_result.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "core/contour/dxf.hpp"
-#include "tests/api/checked.hpp"
-#include "tests/api/documents.hpp"
 #include "tests/api/kinds/winding_documents.hpp"
 
 namespace bahnwerk::api::winding_kind {
 namespace {
 
 using nlohmann::json;
-
-PlannedJob planned(const json& spec) {
-  SilentProgress silent;
-  return test::checked(find_kind("winding")->plan(spec, silent));
-}
-
-/// The problem that a job with this spec ends with.
-std::string problem_of(const json& spec, std::string_view slug) {
-  try {
-    SilentProgress silent;
-    find_kind("winding")->plan(spec, silent);
-  } catch (...) {
-    const Problem problem = problem_from_current_exception();
-    EXPECT_EQ(problem.type().slug, slug);
-    return problem.what();
-  }
-  ADD_FAILURE() << "planned";
-  return {};
-}
-
-TEST(WindingPlan, TellsFluctuationWireAndTurnTimes) {
-  json spec = example("minimal");
-  spec["pull"] = {{"effective_mass", 0.05}};
-  const PlannedJob job = planned(spec);
-  const auto& d = job.result["details"];
-  EXPECT_EQ(d["interpolator"], "exact");
-  EXPECT_LE(d["feed_fluctuation"]["exact"]["largest"], 1e-6);
-  EXPECT_LE(d["feed_fluctuation"]["quartic"]["mean"], 1e-3);
-  EXPECT_GT(d["wire"]["peak_at_constant_brake"], d["wire"]["peak"]);
-  EXPECT_LT(d["wire"]["least_at_constant_brake"], d["wire"]["least"]);
-  EXPECT_EQ(d["wire"]["length"], job.result["summary"]["wire_length"]);
-  // 8.96 g/cm³ of 1.12 mm.
-  EXPECT_NEAR(d["wire"]["copper_mass"].get<double>() / d["wire"]["length"].get<double>(), 8.827e-3, 1e-5);
-  EXPECT_LE(d["turn_time"]["least"], d["turn_time"]["mean"]);
-  EXPECT_LE(d["turn_time"]["mean"], d["turn_time"]["most"]);
-  EXPECT_NEAR(d["turn_time"]["mean"].get<double>() * static_cast<double>(d["turns"].size()),
-              job.result["setpoints"]["duration"].get<double>(), 1e-9);
-}
-
-TEST(WindingPlan, ResultHasTheContractsForm) {
-  json spec = example("minimal");
-  spec["coil"]["repeat"] = {{"step", 1}, {"count", 2}};
-  const PlannedJob job = planned(spec);
-  EXPECT_TRUE(job.verified);
-  const auto& r = job.result;
-  EXPECT_EQ(r["summary"]["turns"], 4);
-  EXPECT_EQ(r["summary"]["coils"], 2);
-  EXPECT_EQ(r["summary"]["clearance"], r["details"]["clearance"]["minimum"]);
-  EXPECT_LE(r["details"]["clearance"]["at"], r["summary"]["path_length"]);
-  EXPECT_GT(r["summary"]["resistance"].get<double>(), 0);
-  const auto& d = r["details"];
-  for (const char* drawing : {"needle_path.svg", "curvature.svg"}) {
-    const std::string svg = d["drawings"][drawing];
-    EXPECT_THAT(svg, ::testing::StartsWith("<svg")) << drawing;
-    EXPECT_THAT(svg, ::testing::HasSubstr("<path")) << drawing;
-  }
-  const Contour read = read_dxf(d["drawings"]["needle_path.dxf"].get<std::string>());
-  const double length = r["summary"]["path_length"];
-  EXPECT_NEAR(read.path.length(), length, 1e-9 * length);
-  EXPECT_EQ(d["turns"].size(), 4u);
-  // Four regions per turn and the way between the coils, two poses each.
-  EXPECT_EQ(d["support_points"].size(), 2u * (4 * 4 + 1));
-  EXPECT_EQ(d["links"].size() % 16, 0u);
-  for (const auto& link : d["links"]) EXPECT_EQ(link["beta"].size(), 6u);
-  const auto& path = d["path"];
-  EXPECT_EQ(path["degree"], 7);
-  EXPECT_EQ(path["points"].size(), path["weights"].size());
-  EXPECT_EQ(path["knots"].size(), path["points"].size() + 8);
-  const double pieces = path["knots"].back();
-  EXPECT_EQ(path["joints"].size() + 1, static_cast<std::size_t>(pieces));
-  for (const auto& joint : path["joints"]) EXPECT_GE(joint["continuity"], 3);
-  EXPECT_NEAR(path["points"][0][3].get<double>(), d["support_points"][0]["orientation"][0].get<double>(), 1e-9);
-  for (const char* region : {"slot", "head_bottom", "slot_back", "head_top"})
-    EXPECT_EQ(d["layout"]["regions"][region]["positions"].size(), d["layout"]["count"]);
-}
-
-TEST(WindingPlan, TellsWhereInTheSlotTheNeedleCanGo) {
-  json spec = example("complete");
-  spec["coil"] = {{"slots", spec["coil"]["slots"]}, {"turns", 1}};
-  spec["needle"] = {{"width", 2.6}, {"pivot_limit", nullptr}};
-  const json details = planned(spec).result["details"], alone = details["access"];
-  EXPECT_THAT(details["drawings"]["clearance_map.svg"].get<std::string>(), ::testing::StartsWith("<svg"));
-  EXPECT_TRUE(alone["with_pivot_shift"].is_null());
-  spec["needle"]["pivot_limit"] = 15;
-  const json both = planned(spec).result["details"]["access"];
-  EXPECT_EQ(both["without_pivot_shift"], alone["without_pivot_shift"]);
-  EXPECT_GT(both["with_pivot_shift"], both["without_pivot_shift"]);
-  const json rotor = planned(example("rotor")).result["details"];
-  EXPECT_TRUE(rotor["access"].is_null());
-  EXPECT_FALSE(rotor["drawings"].contains("clearance_map.svg"));
-}
-
-TEST(WindingPlan, LinksByTimeTellWhatTheyGain) {
-  json spec = example("rotor");
-  EXPECT_TRUE(planned(spec).result["details"]["link_times"].is_null());
-  spec["coil"]["turns"] = 1;
-  spec["path"]["objective"] = "minimum_time";
-  spec["needle"]["clearance"] = -100;
-  const PlannedJob job = planned(spec);
-  const json times = job.result["details"]["link_times"];
-  EXPECT_EQ(times["taken"], "minimum_time");
-  EXPECT_GT(times["changed"], 0);
-  EXPECT_LT(times["minimum_time"], times["curvature"]);
-  EXPECT_NEAR(job.result["summary"]["duration"].get<double>(), times["minimum_time"].get<double>(), 0.01);
-}
 
 TEST(WindingPlan, WiresInHandAreLaidTogether) {
   json spec = example("minimal");
@@ -233,27 +124,6 @@ TEST(WindingPlan, LinksByTimeAreTimedWithTheFeedAskedFor) {
   EXPECT_NEAR(quick["details"]["link_times"]["curvature"].get<double>(), smooth, 1e-6 * smooth);
 }
 
-TEST(WindingPlan, AClearanceThatIsMissedIsToldWithItsPlace) {
-  json spec = example("complete");
-  spec["coil"] = {{"slots", {0, 5}}, {"turns", 1}};
-  spec["path"]["extra_point"] = 0;  // links that bend before they are out of the slot
-  spec["needle"] = {{"width", 3.0}, {"pivot_limit", 10}};
-  spec["feed"] = {{"method", "natural"}};
-  const PlannedJob job = planned(spec);
-  ASSERT_FALSE(job.verified);
-  const json least = job.result["details"]["clearance"];
-  for (const auto& check : job.result["verification"]["checks"]) {
-    if (check["passed"].get<bool>()) continue;
-    ASSERT_EQ(check["name"], "needle clearance");
-    for (const char* member : {"coil", "turn", "region", "link"})
-      EXPECT_EQ(json(check["place"][member]), json(least[member]));
-    EXPECT_EQ(json(check["place"]["obstacle"]), json(least["nearest"]));
-    EXPECT_GT(check["at"], 0);
-    EXPECT_THAT(check["change"].get<std::string>(), ::testing::HasSubstr("needle.width"));
-    EXPECT_THAT(check["place"]["words"].get<std::string>(), ::testing::HasSubstr("turn "));
-  }
-}
-
 TEST(WindingPlan, ASlotAsItIsDrawnIsWound) {
   json spec = example("complete");
   // Drawn lying on its side, 150 mm off, its mouth the bore's arc of 79 mm, which dips 2 hundredths of a millimetre.
@@ -286,14 +156,6 @@ TEST(WindingPlan, ASlotAsItIsDrawnIsWound) {
   EXPECT_THAT(problem_of(spec, "semantic-violation"), ::testing::HasSubstr("/spec/part/base_radius"));
 }
 
-TEST(WindingPlan, RangesAreToldInDegrees) {
-  json spec = example("complete");
-  spec["coil"] = {{"slots", {0, 5}}, {"turns", 1}};
-  spec["machine"]["axes"]["q5"]["range"] = {-85, 85};
-  EXPECT_THAT(problem_of(spec, "unreachable-pose"),
-              ::testing::HasSubstr("from -90 to 90 deg, its range is -85 to 85 deg"));
-}
-
 TEST(WindingPlan, AHolderDoesNotEnterTheSlot) {
   json spec = example("complete");
   spec["coil"] = {{"slots", {0, 5}}, {"turns", 1}};
@@ -302,41 +164,6 @@ TEST(WindingPlan, AHolderDoesNotEnterTheSlot) {
   spec["needle"]["length"] = 60;
   spec["machine"]["l_tool"] = 4;
   EXPECT_THAT(problem_of(spec, "semantic-violation"), ::testing::HasSubstr("/spec/machine/l_tool"));
-}
-
-TEST(WindingPlan, RotaryAxesAreInDegrees) {
-  const PlannedJob job = planned(example("minimal"));
-  const auto& columns = job.result["setpoints"]["columns"];
-  const auto unit = [&](const std::string& name) {
-    for (const auto& column : columns)
-      if (column["name"] == name) return column["unit"].get<std::string>();
-    return std::string();
-  };
-  EXPECT_EQ(unit("q1"), "mm");
-  EXPECT_EQ(unit("q4"), "deg");
-  EXPECT_EQ(unit("vq4"), "deg/s");
-  EXPECT_EQ(unit("jq5"), "deg/s³");
-  EXPECT_EQ(unit("phi"), "deg");
-  const json limits = machine("horizontal")["axes"];
-  bool seen = false;
-  for (const auto& check : job.result["verification"]["checks"])
-    if (check["name"] == "velocity q4") {
-      seen = true;
-      EXPECT_EQ(check["unit"], "deg/s");
-      EXPECT_NEAR(check["limit"].get<double>(), limits["q4"]["velocity"].get<double>(), 1e-9);
-    }
-  EXPECT_TRUE(seen);
-  // What the axes are said to do is what the setpoints do, and these outlive the plan.
-  const auto& setpoints = *job.setpoints;
-  std::vector<double> rows(setpoints.count() * columns.size());
-  setpoints.read(0, setpoints.count(), rows.data());
-  for (std::size_t k = 0; k < 5; ++k) {
-    const auto& axis = job.result["details"]["axes"][k];
-    for (std::size_t i = k; i < rows.size(); i += columns.size()) {
-      EXPECT_GE(rows[i], axis["lowest"].get<double>() - 1e-6);
-      EXPECT_LE(rows[i], axis["highest"].get<double>() + 1e-6);
-    }
-  }
 }
 
 TEST(WindingPlan, AnArmThatIsTooShortIsNamedWithTurnRegionAndPose) {

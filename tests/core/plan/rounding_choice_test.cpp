@@ -7,12 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
-#include "core/plan/contour/section_gaps.hpp"
-#include "core/plan/contour/stopping_time.hpp"
 #include "core/plan/contour_plan.hpp"
-#include "tests/core/check_names.hpp"
+#include "tests/core/plan/contour/verified_plans.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -20,38 +17,11 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-Machine machine(double jerk, std::size_t axes = 2) {
-  Machine m{{}, 0.001};
-  for (const char* name : {"x", "y", "z"})
-    if (m.axes.size() < axes) m.axes.push_back({name, 1800, 16000, jerk});
-  return m;
-}
-
-ContourPlan plan(const Contour& contour, const Machine& machine, PlanningMethod method, double tolerance) {
-  SilentProgress progress;
-  ContourPlanning planning;
-  planning.method = method;
-  if (tolerance > 0) planning.corner_mode = CornerMode::blend, planning.blend_tolerance = tolerance;
-  ContourPlan p = plan_contour(contour, machine, planning, progress);
-  EXPECT_TRUE(p.verification.passed);
-  for (const Check& check : p.verification.checks)
-    EXPECT_TRUE(check.passed) << check_name(check) << ' ' << check.value << " against " << check.limit << " at "
-                              << check.at;
-  EXPECT_GE(p.bound.gap, 0);
-  return p;
-}
+using test::axes_alike, test::verified_plan;
 
 bool kept(const ContourPlan& p) {
   return std::any_of(p.notes.begin(), p.notes.end(),
                      [](const std::string& note) { return note.find("driven as given") != std::string::npos; });
-}
-
-double least(const Contour& contour, const Machine& machine) {
-  SilentProgress progress;
-  ProgressScope stage_progress(progress, "planning", 0, 1);
-  const CartesianAxisPath axes(contour.path, machine.dimension());
-  return StoppingTime(contour, axes, machine, ContourPlanning{}.corner_angle)
-      .least(0, contour.path.size(), stage_progress);
 }
 
 /// Arcs of a quarter of a turn at most, each tangent to the next and a little wider.
@@ -78,8 +48,8 @@ TEST(RoundingChoice, ASpiralOfTangentArcsIsNotSlower) {
     b.block(Mode::cut, 1000);
     spiral(b, {5, 0, 0}, random, 300);
     const Contour contour = b.finish();
-    const double stops = plan(contour, machine(1e5), PlanningMethod::jerk_limited, 0).duration;
-    const ContourPlan rounded = plan(contour, machine(1e5), PlanningMethod::jerk_limited, 0.02);
+    const double stops = verified_plan(contour, axes_alike(1e5), PlanningMethod::jerk_limited, 0).duration;
+    const ContourPlan rounded = verified_plan(contour, axes_alike(1e5), PlanningMethod::jerk_limited, 0.02);
     EXPECT_LE(rounded.duration, stops * (1 + 1e-9)) << "seed " << seed;
     stayed += kept(rounded) ? 1 : 0;
   }
@@ -102,9 +72,9 @@ TEST(RoundingChoice, SectionsOfBothKindsMakeOneMotion) {
   b.block(Mode::cut, 300);
   b.line({60, 70, 0});
   const Contour contour = b.finish();
-  const Machine m = machine(1e5);
-  const ContourPlan stops = plan(contour, m, PlanningMethod::jerk_limited, 0),
-                    rounded = plan(contour, m, PlanningMethod::jerk_limited, 0.02);
+  const Machine m = axes_alike(1e5);
+  const ContourPlan stops = verified_plan(contour, m, PlanningMethod::jerk_limited, 0),
+                    rounded = verified_plan(contour, m, PlanningMethod::jerk_limited, 0.02);
   EXPECT_TRUE(kept(rounded));
   const auto time = [](const ContourPlan& p, std::size_t block) {
     return p.blocks[block].end_time - p.blocks[block].start_time;
@@ -126,9 +96,9 @@ TEST(RoundingChoice, ACurveThatIsKeptIsNotCutAgain) {
   const Contour contour = b.finish();
   ASSERT_EQ(contour.path.size(), 2U);
   for (const PlanningMethod method : {PlanningMethod::time_optimal, PlanningMethod::jerk_limited}) {
-    const Machine m = machine(method == PlanningMethod::jerk_limited ? 1e6 : HUGE_VAL);
-    const double stops = plan(contour, m, method, 0).duration;
-    EXPECT_LE(plan(contour, m, method, 0.01).duration, stops * (1 + 1e-9));
+    const Machine m = axes_alike(method == PlanningMethod::jerk_limited ? 1e6 : HUGE_VAL);
+    const double stops = verified_plan(contour, m, method, 0).duration;
+    EXPECT_LE(verified_plan(contour, m, method, 0.01).duration, stops * (1 + 1e-9));
   }
 }
 
@@ -138,7 +108,7 @@ TEST(RoundingChoice, RoundedSectionsStayWhereRoundingIsFaster) {
   for (int i = 1; i < 20; ++i) b.line({5.0 * i, i % 2 * 3.0, 0});
   const Contour contour = b.finish();
   for (const PlanningMethod method : {PlanningMethod::time_optimal, PlanningMethod::jerk_limited})
-    EXPECT_FALSE(kept(plan(contour, machine(1e6), method, 0.02)));
+    EXPECT_FALSE(kept(verified_plan(contour, axes_alike(1e6), method, 0.02)));
 }
 
 /// 1 to 12 lines and arcs, tangent, nearly tangent or not, of every size, jerk from 1e4 to 1e8.
@@ -154,10 +124,11 @@ TEST_P(RoundingChoiceRandom, RoundedIsNeverSlowerThanWithStops) {
       if (shape.kind == testing::Shape::polynomial || shape.kind == testing::Shape::nurbs)
         shape.kind = testing::Shape::line;
     const Contour contour = testing::build(outline);
-    const Machine m = machine(std::pow(10, random.uniform(4, 8)));
+    const Machine m = axes_alike(std::pow(10, random.uniform(4, 8)));
     const double tolerance = std::pow(10, random.uniform(-2.5, -0.5));
     for (const PlanningMethod method : {PlanningMethod::time_optimal, PlanningMethod::jerk_limited}) {
-      const double stops = plan(contour, m, method, 0).duration, rounded = plan(contour, m, method, tolerance).duration;
+      const double stops = verified_plan(contour, m, method, 0).duration,
+                   rounded = verified_plan(contour, m, method, tolerance).duration;
       // time_optimal refines its grid until it is within 5e-6 of its bound, each path for itself.
       EXPECT_LE(rounded, stops * (1 + (method == PlanningMethod::jerk_limited ? 1e-9 : 5e-6)));
     }
@@ -165,69 +136,6 @@ TEST_P(RoundingChoiceRandom, RoundedIsNeverSlowerThanWithStops) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shard, RoundingChoiceRandom, ::testing::Range(0, 4));
-
-// What is not planned because of it has to be certain.
-TEST(StoppingTime, IsALowerBoundAndExactOnLines) {
-  for (int seed = 1; seed <= 60; ++seed) {
-    SCOPED_TRACE(seed);
-    Random random(static_cast<std::uint64_t>(seed));
-    const std::size_t dimension = random.chance(0.7) ? 2 : 3;
-    const Contour contour = testing::build(testing::random_outline(random, 1 + random.below(8), dimension));
-    Machine m = testing::random_machine(random, dimension);
-    for (AxisLimits& axis : m.axes) axis.jerk = axis.acceleration * std::pow(10, random.uniform(0.5, 3));
-    for (const PlanningMethod method : {PlanningMethod::time_optimal, PlanningMethod::jerk_limited}) {
-      const Machine held = held_limits(m, method_row(method), dimension);
-      EXPECT_GT(least(contour, held), 0);
-      EXPECT_LE(least(contour, held), plan(contour, m, method, 0).duration);
-    }
-  }
-  ContourBuilder b(2, {});
-  b.block(Mode::cut, 300);
-  for (int i = 1; i < 9; ++i) b.line({0.3 * i * i, i % 2 * 7.0, 0});
-  const Contour polygon = b.finish();
-  const Machine m = machine(1e6);
-  EXPECT_NEAR(least(polygon, m), plan(polygon, m, PlanningMethod::jerk_limited, 0).duration, 1e-8);
-}
-
-/// Tangent arcs whose curvature jumps, at a feed: the dips of speed at the joints count.
-TEST(StoppingTime, KnowsWhatJointsCost) {
-  ContourBuilder b(2, {});
-  b.block(Mode::cut, 25);
-  Vec at{};
-  for (int i = 0; i < 20; ++i) {  // half circles, left and right in turn
-    b.arc(at + Vec{10, 0, 0}, at + Vec{5, 0, 0}, i % 2 == 0);
-    at = at + Vec{10, 0, 0};
-  }
-  const Contour contour = b.finish();
-  const Machine m = machine(1e4);
-  const double at_feed = contour.path.length() / 25, certain = least(contour, m),
-               planned = plan(contour, m, PlanningMethod::jerk_limited, 0).duration;
-  EXPECT_LE(certain, planned);
-  EXPECT_GT(certain - at_feed, 0.3 * (planned - at_feed));
-}
-
-// Bounds of sections add up to the bound, and their gaps to its gap.
-TEST(SectionGaps, AddUp) {
-  ContourBuilder b(2, {});
-  b.block(Mode::cut, 300);
-  b.line({40, 0, 0});
-  b.arc({60, 20, 0}, {40, 20, 0}, true);
-  b.line({60, 45, 0});
-  b.dwell(0.5);
-  b.line({30, 45, 0});
-  b.line({30, 45.5, 0});  // too short to count
-  b.line({0, 45.5, 0});
-  const Contour contour = b.finish();
-  const ContourPlan p = plan(contour, machine(1e6), PlanningMethod::jerk_limited, 0);
-  EXPECT_EQ(p.sections.count, 3u);  // corners, and the dwell
-  EXPECT_GE(p.sections.median, 0);
-  EXPECT_LE(p.sections.median, p.sections.worst.gap);
-  EXPECT_LT(p.sections.worst.gap, 0.03);
-  EXPECT_EQ(p.sections.worst.source, 0u);  // the only one without a closed form
-  EXPECT_NEAR(p.sections.worst.length, 65 + 10 * pi, 1e-9);
-  // All others are exact: what the whole lacks is lacking here.
-  EXPECT_NEAR(p.sections.worst.time - p.sections.worst.bound, p.duration - p.bound.value, 1e-7);
-}
 
 }  // namespace
 }  // namespace bahnwerk

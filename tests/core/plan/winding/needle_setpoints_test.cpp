@@ -1,86 +1,15 @@
-// The setpoints of winding machines, and that their check sees what is wrong with them.
 #include "core/motion/setpoints/needle_setpoints.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/base/progress.hpp"
-#include "core/motion/axes/machine_path.hpp"
-#include "core/motion/natural/natural_law.hpp"
-#include "core/motion/setpoints/cycles.hpp"
-#include "core/verify/setpoints/needle_checks.hpp"
-#include "core/verify/setpoints/setpoint_checks.hpp"
-#include "tests/core/check_names.hpp"
-#include "tests/core/machine/winders.hpp"
-#include "tests/core/motion/axes/needle_loop.hpp"
+#include "tests/core/plan/winding/wound_turn.hpp"
 
 namespace bahnwerk {
 namespace {
 
-/// Rows of another source, one column changed.
-class Changed final : public SetpointSource {
- public:
-  Changed(const SetpointSource& source, std::string column, double factor, double offset)
-      : source_(source), name_(std::move(column)), factor_(factor), offset_(offset) {}
-  const std::vector<Column>& columns() const override { return source_.columns(); }
-  std::size_t count() const override { return source_.count(); }
-  double cycle_time() const override { return source_.cycle_time(); }
-  double duration() const override { return source_.duration(); }
-  void read(std::size_t first, std::size_t rows, double* out) const override {
-    source_.read(first, rows, out);
-    const std::size_t width = columns().size();
-    for (std::size_t c = 0; c < width; ++c)
-      if (columns()[c].name == name_)
-        for (std::size_t i = 0; i < rows; ++i) out[i * width + c] = factor_ * out[i * width + c] + offset_;
-  }
-
- private:
-  const SetpointSource& source_;
-  std::string name_;
-  double factor_, offset_;
-};
-
-struct Wound {
-  test::NeedlePath needle = test::stator_turn();
-  MachinePath machine = machine_path(needle.tool, needle.orientation, test::winders()[1].configurations);
-  Machine limits{machine.kinematics->axes(), 0.002};
-  std::shared_ptr<const PathMotion> motion;
-  std::unique_ptr<NeedleSetpoints> rows;
-
-  Wound() {
-    std::vector<bool> rests(needle.tool.size() + 1, false);
-    rests.front() = rests.back() = true;
-    const PathTask task{*machine.axes, limits, std::vector<double>(needle.tool.size(), unlimited), rests};
-    NaturalOptions options;
-    for (std::size_t i = 0; i < needle.tool.size(); ++i) options.shares.push_back(i % 2 == 1 ? 1 : 0);
-    SilentProgress progress;
-    TimeLaw law = plan_natural(task, options, progress, 0, 1);
-    const Cycles cycles = whole_cycles(law.duration(), limits.cycle_time);
-    law.slow(cycles.factor);
-    motion = std::make_shared<const PathMotion>(machine.axes, std::move(law));
-    rows = std::make_unique<NeedleSetpoints>(motion, machine.axes, limits, cycles.count,
-                                             [](std::size_t, double, const LawState&) { return 25.0; });
-  }
-  std::vector<Check> needle_checks_of(const SetpointSource& source) const {
-    SilentProgress progress;
-    return needle_checks({*machine.axes, *machine.kinematics, source, NeedleSetpoints::shown(limits)}, progress);
-  }
-  std::vector<Check> setpoint_checks_of(const SetpointSource& source, double lag = 0) const {
-    SilentProgress progress;
-    SetpointInput input{*machine.axes, limits, motion->law(), source};
-    input.shown = NeedleSetpoints::shown(limits);
-    input.lag = lag;
-    return setpoint_checks(input, progress);
-  }
-};
-
-std::string failed(const std::vector<Check>& checks) {
-  std::string names;
-  for (const Check& check : checks)
-    if (!check.passed) names += (names.empty() ? "" : ", ") + check_name(check);
-  return names;
-}
+using test::failed, test::Wound;
 
 TEST(NeedleSetpoints, PassBothChecks) {
   const Wound wound;
@@ -141,24 +70,6 @@ TEST(NeedleSetpoints, RatesOfThePoseAreItsDerivatives) {
   }
 }
 
-TEST(NeedleSetpoints, ChecksSeeWhatIsWrong) {
-  const Wound wound;
-  const auto seen = [&](const char* column, double factor, double offset) {
-    return failed(wound.needle_checks_of(Changed(*wound.rows, column, factor, offset)));
-  };
-  EXPECT_EQ(seen("q1", 1, 2e-6), "forward kinematics position, setpoints pose");
-  EXPECT_EQ(seen("q4", 1, 1e-5), "forward kinematics position, forward kinematics angle, setpoints pose");
-  EXPECT_EQ(seen("q4", std::numbers::pi / 180, 0),
-            "forward kinematics position, forward kinematics angle, setpoints pose");
-  EXPECT_EQ(seen("x", 1, 2e-6), "setpoints pose");
-  EXPECT_EQ(seen("phi", 1, 1e-5), "setpoints pose");
-  EXPECT_EQ(seen("phi", 1, 360), "");  // whole turns are the same pose
-  EXPECT_EQ(seen("psi", 1, std::nan("")), "setpoints pose");
-  EXPECT_EQ(seen("q3", 1, std::nan("")), "forward kinematics position, forward kinematics angle, setpoints pose");
-  EXPECT_NE(failed(wound.setpoint_checks_of(Changed(*wound.rows, "vq4", 1 + 1e-9, 0))), "");
-  EXPECT_NE(failed(wound.setpoint_checks_of(Changed(*wound.rows, "aq2", 1 + 1e-9, 0))), "");
-}
-
 TEST(NeedleSetpoints, JerkIsTheDerivativeOfAcceleration) {
   const Wound wound;
   const std::size_t width = wound.rows->columns().size();
@@ -177,14 +88,6 @@ TEST(NeedleSetpoints, JerkIsTheDerivativeOfAcceleration) {
     }
     EXPECT_LE(off, 0.05 * largest) << k;
   }
-}
-
-TEST(NeedleChecks, MissingColumnsFail) {
-  const Wound wound;
-  SilentProgress progress;
-  const std::vector<Check> checks =
-      needle_checks({*wound.machine.axes, *wound.machine.kinematics, *wound.rows, {1, 1, 1}}, progress);
-  EXPECT_EQ(failed(checks), "forward kinematics position");
 }
 
 }  // namespace

@@ -4,41 +4,12 @@
 
 #include <cmath>
 
-#include "core/numeric/random.hpp"
+#include "tests/core/redundant/iterative/coarse_tasks.hpp"
 
 namespace bahnwerk {
 namespace {
 
-CoarseTask task_of(double duration, std::size_t samples, double tolerance, const std::function<double(double)>& x) {
-  CoarseTask task;
-  task.duration = duration;
-  task.positions.resize(samples);
-  for (std::size_t i = 0; i < samples; ++i) task.positions[i] = x(task.time(i));
-  for (std::size_t i = 1; i < samples; ++i)
-    task.speed = std::max(task.speed, std::abs(task.positions[i] - task.positions[i - 1]) / task.time(1));
-  task.tolerance = tolerance;
-  task.begin.position = task.positions.front();
-  task.limits = {1800, 16000};
-  return task;
-}
-/// From rest to rest over 300 mm, with a wave on it that the fine axis can follow.
-double wave(double t) { return 150 * (1 - std::cos(M_PI * t)) + 15 * std::sin(40 * t) * std::sin(M_PI * t); }
-
-double largest_error(const CoarseTask& task, const TimeSpline& s) {
-  double most = 0;
-  for (std::size_t i = 0; i < task.positions.size(); ++i)
-    most = std::max(most, std::abs(s.in_piece(s.find(task.time(i), 0), task.time(i)).x - task.positions[i]));
-  return most;
-}
-double energy(const TimeSpline& s) {
-  double sum = 0;
-  const int n = 20000;
-  for (int i = 0; i < n; ++i) {
-    const double t = s.duration() * (i + 0.5) / n, a = s.in_piece(s.find(t, 0), t).a;
-    sum += a * a * s.duration() / n;
-  }
-  return sum;
-}
+using test::energy, test::largest_error, test::task_of, test::wave;
 
 TEST(CoarseFit, EveryPairOfMethodsStaysWithinTheTolerance) {
   const CoarseTask task = task_of(1, 1001, 20, wave);
@@ -71,28 +42,6 @@ TEST(CoarseFit, AHeadThatStaysWithinTheStrokeLeavesTheCoarseAxisAlmostStill) {
   const auto fit = fit_coarse(task, o);
   ASSERT_TRUE(fit);
   EXPECT_LT(energy(fit->spline), 1e-2);
-}
-
-/// Of splines with the same knots the quadratic program's has the least energy, the linear one's the least peak.
-TEST(CoarseFit, SecondPhasesAreSmootherThanTheFirst) {
-  const CoarseTask task = task_of(1, 1001, 20, wave);
-  CoarseFitOptions o;
-  o.afterburner = 1;
-  std::vector<double> energies, peaks;
-  for (const auto& smoothing : coarse_smoothings) {
-    o.smoothing = smoothing.value;
-    const auto fit = fit_coarse(task, o);
-    ASSERT_TRUE(fit);
-    energies.push_back(energy(fit->spline));
-    double peak = 0;
-    for (std::size_t i = 0; i < fit->spline.pieces(); ++i)  // linear in between
-      for (const double t : {fit->spline.begin(i), fit->spline.end(i)})
-        peak = std::max(peak, std::abs(fit->spline.in_piece(i, t).a));
-    peaks.push_back(peak);
-  }
-  EXPECT_LT(energies[1], energies[0]);               // smoothing spline
-  EXPECT_LT(energies[2], energies[1] * (1 + 1e-3));  // quadratic program
-  for (const double peak : peaks) EXPECT_GE(peak, peaks[3] * (1 - 1e-3));
 }
 
 TEST(CoarseFit, ProgramsHoldLimitsInBothForms) {
@@ -139,44 +88,6 @@ TEST(CoarseFit, BeginsWhereItIsTold) {
     EXPECT_NEAR(a.a, 900, 1e-5);
     EXPECT_LE(largest_error(task, fit->spline), 20 * (1 + 1e-6));
   }
-}
-
-TEST(CoarseFit, PassesGrowWithTheLogarithmOfTheDuration) {
-  CoarseFitOptions o;
-  o.smoothing = CoarseSmoothing::none;
-  int passes = 0;
-  o.tick = [&] { ++passes; };
-  std::vector<int> counts;
-  for (const double duration : {4.0, 40.0, 400.0}) {
-    passes = 0;
-    const auto n = static_cast<std::size_t>(500 * duration) + 1;
-    ASSERT_TRUE(fit_coarse(task_of(duration, n, 2, [](double t) { return 30 * std::sin(7 * t) * std::sin(t); }), o));
-    counts.push_back(passes);
-  }
-  EXPECT_LE(counts[2] - counts[1], counts[1] - counts[0] + 10) << counts[0] << ' ' << counts[1] << ' ' << counts[2];
-}
-
-TEST(CoarseFit, LeastSquaresAreSmoothedAsFarAsTheLimitsNeedAndTheToleranceAllows) {
-  // 40 mm from rest to rest: few control points, which would take 20 000 mm/s² and 5 of 20 mm.
-  const auto move = [](double t) { return 20 * (1 - std::cos(M_PI * t / 0.1)); };
-  CoarseTask task = task_of(0.1, 101, 20, move);
-  CoarseFitOptions o;
-  o.smoothing = CoarseSmoothing::none;
-  const auto peak = [](const TimeSpline& s) {
-    double most = 0;
-    for (int i = 0; i <= 1000; ++i) most = std::max(most, std::abs(s.in_piece(s.find(1e-4 * i, 0), 1e-4 * i).a));
-    return most;
-  };
-  task.limits = {1e5, 1e6};
-  const double rough = peak(fit_coarse(task, o)->spline);
-  EXPECT_GT(rough, 17000);
-  task.limits = {1e5, 15000};
-  const auto fit = fit_coarse(task, o);
-  EXPECT_LE(peak(fit->spline), 15000);
-  EXPECT_GE(peak(fit->spline), 0.9 * 15000);  // no smoother than that
-  EXPECT_LE(largest_error(task, fit->spline), 20);
-  task.limits = {1e5, 1000};  // cannot be: the tolerance holds all the same
-  EXPECT_LE(largest_error(task, fit_coarse(task, o)->spline), 20);
 }
 
 /// Positions of 1e-13 mm more or less make no other fit, and the programs are solved to their end.

@@ -10,29 +10,19 @@
 #include "core/numeric/random.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/redundant/frames.hpp"
+#include "tests/core/redundant/iterative/iterative_plans.hpp"
 #include "tests/core/redundant/iterative/small_contours.hpp"
-#include "tests/core/redundant/split_excess.hpp"
 
 namespace bahnwerk {
 namespace {
 
-RedundancyResult plan(const RedundancyTask& task, const RedundancyOptions& options) {
-  SilentProgress progress;
-  return plan_iterative(task, options, progress, 0, 1);
-}
-void expect_valid(const RedundancyTask& task, const RedundancyResult& r) {
-  const test::SplitExcess e = test::split_excess(task, r);
-  EXPECT_LE(e.limits, 1e-8);
-  EXPECT_LE(e.jump, 1e-8);
-  EXPECT_LE(e.rest, 1e-7);
-  EXPECT_LE(e.time, 1e-12);
-}
+using test::expect_valid_split, test::plan_by_iterations;
 
 /// [Bock Table 4.1]: with the quadratic program 7.394 s against 7.373 s of the first iteration, at most.
 TEST(Iterative, TheQuadraticProgramHardlyLosesAnythingOnSmallContours) {
   const RedundancyTask task = test::redundancy_task(test::small_contours(), test::md2());
-  const RedundancyResult r = plan(task, {});
-  expect_valid(task, r);
+  const RedundancyResult r = plan_by_iterations(task, {});
+  expect_valid_split(task, r);
   EXPECT_EQ(r.fallbacks, 0u);
   EXPECT_LE(r.head->duration(), 1.003 * r.fastest);
   EXPECT_GE(r.head->duration(), r.fastest - 1e-12);
@@ -44,78 +34,6 @@ TEST(Iterative, TheQuadraticProgramHardlyLosesAnythingOnSmallContours) {
   for (const RedundancyPeaks& p : r.passes.back().peaks) EXPECT_LE(p.coarse_acceleration, 16000);
 }
 
-/// What is exceeded by a little slows the whole motion by as little, and is valid as it is.
-TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
-  Random random(5);
-  SilentProgress progress;
-  IterativeOptions stubborn;
-  stubborn.most_slowing = 0;
-  int fewer = 0;
-  for (int i = 0; i < 30; ++i) {
-    SCOPED_TRACE(i);
-    const RedundancyTask task = test::redundancy_task(test::random_contour(random, 100), test::md2());
-    const RedundancyResult slowed = plan(task, {}), exact = plan_iterative(task, {}, stubborn, progress, 0, 1);
-    expect_valid(task, slowed);
-    ASSERT_LE(slowed.iterations, exact.iterations);
-    if (slowed.iterations == exact.iterations) continue;
-    ++fewer;
-    // All passes are the same but the last one, which is slowed by what it exceeded.
-    const std::size_t last = slowed.iterations - 1;
-    for (std::size_t k = 0; k < last; ++k) {
-      EXPECT_EQ(slowed.passes[k].duration, exact.passes[k].duration) << k;
-      EXPECT_EQ(slowed.passes[k].violated_blocks, exact.passes[k].violated_blocks) << k;
-    }
-    EXPECT_GT(slowed.passes[last].duration, exact.passes[last].duration);
-    EXPECT_LE(slowed.passes[last].duration, (1 + IterativeOptions().most_slowing) * exact.passes[last].duration);
-    EXPECT_NEAR(slowed.head->duration(), slowed.passes[last].duration, 1e-12);
-    EXPECT_EQ(slowed.passes[last].violated_blocks, 0u);
-    EXPECT_GT(exact.passes[last].violated_blocks, 0u);
-  }
-  EXPECT_GE(fewer, 2);
-}
-
-/// With knots anew in each pass and no grading other blocks exceed limits in each.
-TEST(Iterative, KeptKnotsEndShorterThanKnotsAnew) {
-  Random random(11);
-  SilentProgress progress;
-  IterativeOptions anew;
-  anew.iterations_with_new_knots = anew.max_iterations;
-  anew.grading = 0;
-  RedundancyOptions o;
-  o.smoothing = CoarseSmoothing::none;
-  for (int i = 0; i < 2; ++i) {
-    SCOPED_TRACE(i);
-    const RedundancyTask task = test::redundancy_task(test::random_contour(random, 400), test::md2());
-    const RedundancyResult r = plan(task, o);
-    expect_valid(task, r);
-    EXPECT_EQ(r.fallbacks, 0u);
-    EXPECT_GT(r.iterations, 3u);
-    const RedundancyResult other = plan_iterative(task, o, anew, progress, 0, 1);
-    EXPECT_LT(r.head->duration(), 0.997 * other.head->duration());
-  }
-}
-
-/// With a second phase, and with other approximations, knots are always anew.
-TEST(Iterative, OnlyLeastSquaresAloneKeepsKnots) {
-  Random random(4);
-  SilentProgress progress;
-  IterativeOptions other;
-  other.iterations_with_new_knots = 1;
-  other.grading = 2;
-  const RedundancyTask task = test::redundancy_task(test::random_contour(random, 100), test::md2());
-  RedundancyOptions o;
-  for (const auto& [approximation, smoothing] :
-       {std::pair{CoarseApproximation::least_squares, CoarseSmoothing::quadratic_program},
-        {CoarseApproximation::schoenberg, CoarseSmoothing::none},
-        {CoarseApproximation::chebyshev, CoarseSmoothing::none}}) {
-    o.approximation = approximation;
-    o.smoothing = smoothing;
-    const RedundancyResult a = plan(task, o), b = plan_iterative(task, o, other, progress, 0, 1);
-    EXPECT_EQ(a.head->duration(), b.head->duration());
-    EXPECT_EQ(a.iterations, b.iterations);
-  }
-}
-
 TEST(Iterative, SimpleKnotsOfDegreeFourLimitTheCoarseJerk) {
   const RedundancyTask task = test::redundancy_task(test::small_contours(2, 2), test::md2());
   RedundancyOptions o;
@@ -123,7 +41,7 @@ TEST(Iterative, SimpleKnotsOfDegreeFourLimitTheCoarseJerk) {
        {std::tuple{2, 1, false}, {3, 1, true}, {3, 2, false}, {4, 1, true}}) {
     o.degree = degree;
     o.knot_multiplicity = multiplicity;
-    EXPECT_EQ(plan(task, o).coarse_jerk_limited, limited);
+    EXPECT_EQ(plan_by_iterations(task, o).coarse_jerk_limited, limited);
   }
 }
 
@@ -144,8 +62,8 @@ TEST(Iterative, RandomContoursEndValidWithEveryMethod) {
           o.smoothing = smoothing.value;
           o.window.reset();
           if (windows) o.window = RedundancyOptions::Window{6, 2};
-          const RedundancyResult r = plan(task, o);
-          expect_valid(task, r);
+          const RedundancyResult r = plan_by_iterations(task, o);
+          expect_valid_split(task, r);
           own += r.fallbacks == 0;
           ++all;
         }
@@ -161,12 +79,12 @@ TEST(Iterative, LimitedJerkIsHeldToo) {
     const RedundancyTask task = test::redundancy_task(test::random_contour(random, longest), machine);
     RedundancyOptions o;
     o.degree = 4;
-    const RedundancyResult r = plan(task, o);
-    expect_valid(task, r);
+    const RedundancyResult r = plan_by_iterations(task, o);
+    expect_valid_split(task, r);
     EXPECT_TRUE(r.coarse_jerk_limited);
     o.degree = 3;
     o.knot_multiplicity = 2;
-    EXPECT_THROW(plan(task, o), InvalidInput);
+    EXPECT_THROW(plan_by_iterations(task, o), InvalidInput);
   }
 }
 
@@ -181,16 +99,16 @@ TEST(Iterative, LimitedJerkIsHeldByItsFallbackToo) {
   SilentProgress progress;
   const RedundancyResult r = plan_iterative(task, {}, none, progress, 0, 1);
   EXPECT_EQ(r.fallbacks, 1u);
-  expect_valid(task, r);
+  expect_valid_split(task, r);
 }
 
 TEST(Iterative, WindowsAreJoinedInMotion) {
   const RedundancyTask task = test::redundancy_task(test::small_contours(7, 2), test::md2());
   RedundancyOptions o;
-  const double whole = plan(task, o).head->duration();
+  const double whole = plan_by_iterations(task, o).head->duration();
   o.window = RedundancyOptions::Window{20, 5};
-  const RedundancyResult r = plan(task, o);
-  expect_valid(task, r);
+  const RedundancyResult r = plan_by_iterations(task, o);
+  expect_valid_split(task, r);
   EXPECT_EQ(r.fallbacks, 0u);
   EXPECT_LE(r.head->duration(), 1.01 * whole);
   // Somewhere the head rests while the coarse axes go on.
@@ -206,12 +124,12 @@ TEST(Iterative, ThinnedSamplesKeepTheStroke) {
   RedundancyOptions o;
   for (const int thinning : {2, 5, 10}) {
     o.thinning = thinning;
-    const RedundancyResult r = plan(task, o);
-    expect_valid(task, r);
+    const RedundancyResult r = plan_by_iterations(task, o);
+    expect_valid_split(task, r);
     EXPECT_EQ(r.fallbacks, 0u);
   }
   o.thinning = 100;  // 0.1 s apart: the fine axis could be anywhere in between
-  EXPECT_THROW(plan(task, o), InvalidInput);
+  EXPECT_THROW(plan_by_iterations(task, o), InvalidInput);
 }
 
 /// Where it finds nothing of its own it is never slower than the coarse axes alone.
@@ -220,8 +138,8 @@ TEST(Iterative, NeverSlowerThanTheCoarseAxesAlone) {
   RedundancyOptions o;
   for (const auto& smoothing : coarse_smoothings) {
     o.smoothing = smoothing.value;
-    const RedundancyResult r = plan(task, o);
-    expect_valid(task, r);
+    const RedundancyResult r = plan_by_iterations(task, o);
+    expect_valid_split(task, r);
     EXPECT_LE(r.head->duration(), 600.0 / 1800 + 1800.0 / 16000 + 1e-9);
   }
 }
@@ -234,7 +152,7 @@ TEST(Iterative, ThePlanDoesNotDependOnTheFrame) {
       RedundancyOptions o;
       o.smoothing = smoothing.value;
       const auto duration = [&](const test::Frame& frame) {
-        return plan(test::redundancy_task(test::framed(seed, frame), test::md2()), o).head->duration();
+        return plan_by_iterations(test::redundancy_task(test::framed(seed, frame), test::md2()), o).head->duration();
       };
       const double here = duration({});
       for (const test::Frame& frame : test::other_frames) EXPECT_NEAR(duration(frame), here, 1e-9 * here);
@@ -247,8 +165,8 @@ TEST(Iterative, LeastSquaresAloneUseTheStrokeBeforeTheHeadIsSlowed) {
   const RedundancyTask task = test::redundancy_task(test::straight(38, 0, 420), test::md2());
   RedundancyOptions o;
   o.smoothing = CoarseSmoothing::none;
-  const RedundancyResult r = plan(task, o);
-  expect_valid(task, r);
+  const RedundancyResult r = plan_by_iterations(task, o);
+  expect_valid_split(task, r);
   EXPECT_EQ(r.iterations, 1u);
   EXPECT_NEAR(r.head->duration(), 38.0 / 420 + 420.0 / 60000, 1e-9);
 }
@@ -258,7 +176,7 @@ TEST(Iterative, RefusesWhatMakesNoSense) {
   const auto refused = [&](auto&& change) {
     RedundancyOptions o;
     change(o);
-    EXPECT_THROW(plan(task, o), InvalidInput);
+    EXPECT_THROW(plan_by_iterations(task, o), InvalidInput);
   };
   refused([](RedundancyOptions& o) { o.degree = 1; });
   refused([](RedundancyOptions& o) { o.degree = 6; });

@@ -150,47 +150,5 @@ TEST(Tube, BlocksAreTheContours) {
   refused(path);
 }
 
-TEST(Tube, CoilsWithinTheTolerancePass) {
-  // Some hundred turns that come back on themselves; the path leaves out every other vertex.
-  std::vector<Vec> coil, half;
-  for (int i = 0; i <= 600; ++i) {
-    const Vec p{1e-4 * i + 0.003 * std::cos(2.0 * i), 0.003 * std::sin(2.0 * i), 0};
-    coil.push_back(p);
-    if (i % 2 == 0) half.push_back(p);
-  }
-  EXPECT_TRUE(check(line(coil), line(half), 0.01).passed);
-  EXPECT_TRUE(check(line(half), line(coil), 0.01).passed);
-  EXPECT_FALSE(check(line(coil), line(half), 0.001).passed);
-}
-
-TEST(Tube, MisleadingPlacesAreDecidedLocallyAndOthersAreStillChecked) {
-  // Coils far apart along a zigzag of a thousand lines, which the path follows 0.004 mm aside.
-  std::vector<Vec> given, path;
-  std::size_t before_last = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const Vec p{static_cast<double>(i), i % 2 == 0 ? 0.3 : -0.3, 0};
-    given.push_back(p);
-    path.push_back(p + Vec{0, 0.004, 0});
-    if (i % 300 != 150) continue;
-    before_last = path.size();
-    for (int k = 0; k <= 600; ++k) {
-      const Vec q = p + Vec{1e-4 * k + 0.003 * std::cos(2.0 * k), 0.003 * std::sin(2.0 * k), 0};
-      given.push_back(q);
-      if (k % 2 == 0) path.push_back(q);
-    }
-  }
-  const Contour contour = line(given);
-  const Check decided = check(contour, line(path), 0.01);
-  EXPECT_TRUE(decided.passed);
-  EXPECT_GE(decided.value, 0.004);
-  for (const std::size_t place : {std::size_t{20}, before_last - 3, before_last - 20, path.size() - 2}) {
-    std::vector<Vec> off = path;
-    off[place].y += 0.02;
-    const Check k = check(contour, line(off), 0.01);
-    EXPECT_FALSE(k.passed) << place;
-    EXPECT_GE(k.value, 0.0101) << place;
-  }
-}
-
 }  // namespace
 }  // namespace bahnwerk

@@ -29,22 +29,6 @@ TEST(Drawing, HasEveryWireAndCrossesOutWhatSlips) {
   EXPECT_EQ(svg.find("nan"), svg.npos);
 }
 
-TEST(Drawing, HasALegendOfWhatItShows) {
-  const std::string plain = slot_drawing(box(), {"plain", 1, 1.8, {{1, 1}}, {}});
-  for (const char* words : {"copper 1.8 mm, 2 with enamel", "order of laying", "layer", "0.5 mm"})
-    EXPECT_EQ(times(plain, words), 1u) << words;
-  for (const char* words : {"liner", "wedge", "tooth tip", "opening", "does not stay", "reach", "other coil side"})
-    EXPECT_EQ(times(plain, words), 0u) << words;
-  DrawnWires drawn{"stator", 0.5, 0.9, {{0, 1}, {0, 3}}, {1}};
-  drawn.unreached = 0;
-  Slot stator = make_slot(StatorSlot{});
-  stator = shared(stator, Sharing::beside).slot;
-  const std::string all = slot_drawing(stator, drawn);
-  for (const char* words :
-       {"liner", "wedge", "tooth tip", "3.083 mm clear", "does not stay", "reach", "other coil side"})
-    EXPECT_EQ(times(all, words), 1u) << words;
-}
-
 TEST(Drawing, IsTheSlotWithoutWires) {
   EXPECT_EQ(times(slot_drawing(make_slot(RotorSlot{}), {"empty", 1, 0.9, {}, {}}), "<circle"), 0u);
 }

@@ -1,3 +1,5 @@
+#include "core/contour/dxf/read/drawing.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,9 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/contour/dxf/read/drawing.hpp"
 #include "core/contour/dxf/read/tags.hpp"
-#include "dxf_text.hpp"
+#include "tests/core/contour/dxf_text.hpp"
 #include "tests/core/contour/expect_near.hpp"
 
 namespace bahnwerk {

@@ -1,9 +1,10 @@
 /// Random contours and limits: every plan is verified, within its bound, and behaves as physics says.
 /// 8 000 cases in eight shards.
+#include "core/plan/contour_plan.hpp"
+
 #include <gtest/gtest.h>
 
 #include "core/base/progress.hpp"
-#include "core/plan/contour_plan.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"

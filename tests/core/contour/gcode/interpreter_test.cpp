@@ -1,4 +1,6 @@
 // Cut or position, feeds, blocks, what is noted; and programs as they come from a shop.
+#include "core/contour/gcode/interpreter.hpp"
+
 #include <cmath>
 #include <cstdio>
 #include <numbers>

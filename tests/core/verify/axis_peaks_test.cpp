@@ -1,4 +1,6 @@
 // The verifier on axes that are not the tool's coordinates, and on peaks that samples do not show.
+#include "core/verify/law/axis_peaks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +16,6 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
-#include "core/verify/law/axis_peaks.hpp"
 #include "core/verify/verifier.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/motion/axes/bow.hpp"

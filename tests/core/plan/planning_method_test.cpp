@@ -1,0 +1,38 @@
+#include "core/plan/planning_method.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bahnwerk {
+namespace {
+
+TEST(PlanningMethods, EachHasARow) {
+  for (const auto& method : planning_methods) {
+    EXPECT_EQ(method_row(method.value).method, method.value) << method.name;
+    EXPECT_NE(method_row(method.value).plan, nullptr) << method.name;
+  }
+  EXPECT_TRUE(method_row(PlanningMethod::time_optimal).reaches_bound);
+}
+
+TEST(PlanningMethods, ATrapezoidLimitsNoJerkWhereTheProfileDecides) {
+  MethodOptions options;
+  options.profile = SpeedProfile::trapezoid;
+  EXPECT_FALSE(method_row(PlanningMethod::constant, options).limits_jerk);
+  EXPECT_FALSE(method_row(PlanningMethod::critical_points, options).limits_jerk);
+  EXPECT_TRUE(method_row(PlanningMethod::jerk_limited, options).limits_jerk) << "it has no profile";
+  options.profile = SpeedProfile::double_s;
+  EXPECT_TRUE(method_row(PlanningMethod::constant, options).limits_jerk);
+}
+
+TEST(PlanningMethods, JerkLimitsAreHeldByMethodsThatKnowJerk) {
+  const Machine machine{{AxisLimits("x", 1, 2, 3), AxisLimits("y", 1, 2, 4), AxisLimits("z", 1, 2, 5)}, 0.001};
+  const Machine held = held_limits(machine, method_row(PlanningMethod::jerk_limited), 2),
+                free = held_limits(machine, method_row(PlanningMethod::braking_reserve), 3);
+  ASSERT_EQ(held.axes.size(), 2u);
+  EXPECT_EQ(held.axes[1].jerk, 4);
+  ASSERT_EQ(free.axes.size(), 3u);
+  EXPECT_EQ(free.axes[2].jerk, unlimited);
+  EXPECT_EQ(free.axes[2].acceleration, 2);
+}
+
+}  // namespace
+}  // namespace bahnwerk
