@@ -119,13 +119,13 @@ TEST(FillFactorPlan, ARotorsNeedlePassesBetweenThePoles) {
     spec["heads"] = std::move(heads);
     return planned(spec, silent).result["details"]["slot"]["clear_opening"].get<double>();
   };
-  const double eight = gap({{"poles", 8}}), nine = gap({{"poles", 9}});
-  EXPECT_LT(nine, eight);
+  const double five = gap({{"poles", 5}}), six = gap({{"poles", 6}});
+  EXPECT_LT(six, five);
   // A pole drawn in by d lets each side of the gap stand d·sin(half a pitch) closer to the plane between the poles.
-  const double radius = 40.1, closer = 2 * 0.5 * std::sin(std::numbers::pi / 8);
-  EXPECT_NEAR(gap({{"poles", 8}, {"tooth_radius", radius - 0.5}}), eight - closer, 1e-9);
-  spec["heads"] = {{"poles", 8}};
-  spec["needle_width"] = eight + 0.01;
+  const double radius = 40.1, closer = 2 * 0.5 * std::sin(std::numbers::pi / 5);
+  EXPECT_NEAR(gap({{"poles", 5}, {"tooth_radius", radius - 0.5}}), five - closer, 1e-9);
+  spec["heads"] = {{"poles", 5}};
+  spec["needle_width"] = five + 0.01;
   const PlannedJob job = planned(spec, silent);
   EXPECT_FALSE(job.result["summary"]["producible"].get<bool>());
   EXPECT_EQ(job.result["details"]["layouts"][0]["blocked_by"][0]["part"], "needle");
