@@ -3,7 +3,7 @@
 # Objects are found again by what their sources include, without running the preprocessor first: half as much for what is new.
 export CCACHE_DEPEND=1
 # What uses a precompiled header is found again, too.
-export CCACHE_SLOPPINESS=pch_defines,time_macros
+export CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1
 # A clone in another folder finds the same objects.
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 

@@ -52,8 +52,22 @@ winding::StatorHeads heads_of_stator(const json& heads, const winding::StatorSlo
 }
 
 winding::RotorHeads heads_of_rotor(const json& heads, std::vector<InputFault>& faults) {
-  allow_only({"cap_height", "cap_base", "stack", "tooth_half_width", "tooth_radius"}, heads, "a rotor slot", faults);
+  allow_only({"cap_height", "cap_base", "stack", "tooth_half_width", "tooth_radius", "poles"}, heads, "a rotor slot",
+             faults);
   return rotor_heads(heads, {"heads"}, faults);
+}
+
+/// Returns the gap between the coils of neighbouring poles, mm, or nothing with a fault if they overlap.
+std::optional<double> gap_between_poles(const winding::RotorPart& part, std::vector<InputFault>& faults) {
+  try {
+    return clear_way(part, checked_slot(part));
+  } catch (const InvalidInput& error) {
+    for (InputFault fault : error.faults) {
+      if (fault.place.front() == "part") fault.place.front() = "heads";
+      faults.push_back(std::move(fault));
+    }
+    return std::nullopt;
+  }
 }
 
 void read_algorithms(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
@@ -77,7 +91,13 @@ void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>&
       faults.push_back({{"heads", "slot_pitch"}, "leaves no tooth between the slots: a larger one is needed"});
     request.heads = h;
   }
-  if (spec["slot"]["type"] == "rotor") request.heads = heads_of_rotor(heads, faults);
+  if (spec["slot"]["type"] == "rotor") {
+    winding::RotorPart part{rotor_slot(spec["slot"]), heads_of_rotor(heads, faults)};
+    request.heads = part.heads;
+    take(heads, "poles", part.poles);
+    const auto gap = heads.contains("poles") ? gap_between_poles(part, faults) : std::nullopt;
+    if (gap) request.slot.opening->clear = *gap;
+  }
   if (spec["slot"]["type"] == "polygon" && !heads.empty())
     faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
 }

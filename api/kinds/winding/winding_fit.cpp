@@ -68,13 +68,14 @@ class Fit {
     const std::size_t wires = request_.parallel;
     const double bundle = winding::bundle_diameter(wires, outer_);
     if (bundle >= width)
-      add({"needle", "width"}, "is " + mm(width) + usual("needle", "width") + ": " +
-                                   (wires > 1 ? "coil.parallel wires of " + mm(outer_) +
-                                                    " overall, which are led inside the needle in a "
-                                                    "bundle of " +
-                                                    mm(bundle) + ", do not run in it"
-                                              : "the wire of " + mm(outer_) +
-                                                    " overall, which is led inside the needle, does not run in it"));
+      add({"needle", "width"},
+          "is " + mm(width) + usual("needle", "width") + ": " +
+              (wires > 1
+                   ? "coil.parallel wires of " + mm(outer_) +
+                         " overall, which are led inside the needle in a "
+                         "bundle of " +
+                         (wires > winding::exact_bundle ? "at least " : "") + mm(bundle) + ", do not run in it"
+                   : "the wire of " + mm(outer_) + " overall, which is led inside the needle, does not run in it"));
   }
 
   void pull() {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace bahnwerk::cam {
 namespace {
@@ -21,6 +22,42 @@ class Chain {
   int least_maximum() { return run(unreachable - 1, true); }
   /// The least sum of squares with degrees up to `cap`; keeps what it found for list().
   int least_squares(int cap) { return run(cap, false); }
+  /// Returns the least unevenness of a distribution of that sum, Σ (before − behind)² over the shares of all points,
+  /// and stores its degrees: lopsided shares all along a law let its derivatives grow from section to section.
+  int most_even(std::vector<int>& degrees) const {
+    const std::size_t n = points_.size();
+    std::vector<std::vector<int>> uneven(n);
+    const auto own = [&](std::size_t i, int choice) {
+      const int more = 2 * before(i, choice) - points_[i].total;
+      return more * more;
+    };
+    const auto best_next = [&](std::size_t i, int choice) {
+      std::pair<int, int> best{unreachable, 0};
+      for (int next = 0; next < choices(i + 1); ++next) {
+        const int here = cost(i, choice, next, false), rest = costs_[i + 1][static_cast<std::size_t>(next)];
+        if (here == unreachable || rest == unreachable || here + rest != costs_[i][static_cast<std::size_t>(choice)])
+          continue;
+        best = std::min(best, {uneven[i + 1][static_cast<std::size_t>(next)], next});
+      }
+      return best;
+    };
+    for (std::size_t i = n; i-- > 0;)
+      for (int choice = 0; choice < choices(i); ++choice) {
+        const int rest = i + 1 == n ? 0 : best_next(i, choice).first;
+        uneven[i].push_back(rest == unreachable ? unreachable : rest + own(i, choice));
+      }
+    std::pair<int, int> first{unreachable, 0};
+    for (int choice = 0; choice < choices(0); ++choice)
+      if (costs_[0][static_cast<std::size_t>(choice)] == best_)
+        first = std::min(first, {uneven[0][static_cast<std::size_t>(choice)], choice});
+    degrees.assign(sections_.size(), -1);
+    for (std::size_t i = 0, choice = static_cast<std::size_t>(first.second); i + 1 < n; ++i) {
+      const int next = best_next(i, static_cast<int>(choice)).second;
+      if (sections_[i]) degrees[i] = degree(i, static_cast<int>(choice), next);
+      choice = static_cast<std::size_t>(next);
+    }
+    return first.first;
+  }
   /// Adds the distributions of that sum, up to `at_most` in `out`; false when there are more. `variety` 0: the earliest
   /// sections get the most first; else each point begins with a choice of its own.
   bool list(std::set<std::vector<int>>& out, std::size_t at_most, std::size_t variety) {
@@ -129,14 +166,26 @@ DegreeDistributions balance_degrees(const std::vector<PointShare>& shares, const
     return complete;
   };
   out.complete = list(at_most, 0);
-  if (!out.complete && at_most > 1) {
-    // One after the other they differ at the end of the law alone: some of each kind instead.
-    constexpr std::size_t varieties = 16;
-    const std::vector<int> first = *found.rbegin();
-    found = {first};
-    for (std::size_t v = 1; v <= varieties; ++v) list(std::max<std::size_t>(2, at_most * v / varieties), v);
+  if (out.complete) {
+    out.degrees.assign(found.rbegin(), found.rend());
+    return out;
   }
-  out.degrees.assign(found.rbegin(), found.rend());
+  // One after the other they differ at the end of the law alone: the most even one and some of each kind instead.
+  std::pair<int, std::vector<int>> even{unreachable, {}};
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (costs[i] != squares) continue;
+    std::vector<int> degrees;
+    const int uneven = chains[i].most_even(degrees);
+    if (uneven < even.first) even = {uneven, std::move(degrees)};
+  }
+  found = {even.second};
+  if (at_most > 1) {
+    constexpr std::size_t varieties = 16;
+    for (std::size_t v = 1; v <= varieties; ++v) list(std::max<std::size_t>(2, at_most * v / varieties), v);
+    found.erase(even.second);
+  }
+  out.degrees = {even.second};
+  if (at_most > 1) out.degrees.insert(out.degrees.end(), found.rbegin(), found.rend());
   return out;
 }
 

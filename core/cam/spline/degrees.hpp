@@ -16,8 +16,9 @@ struct PointShare {
 };
 
 struct DegreeDistributions {
-  /// Degree of every section, −1 where the section asks for none; each is a different best distribution, the first one
-  /// gives the earliest sections the most. Empty: there is no distribution with all degrees in 0 … max_degree.
+  /// Degree of every section, −1 where the section asks for none; each is a different best distribution. Where all are
+  /// listed the first one gives the earliest sections the most; else it is the one whose points share their conditions
+  /// most evenly between both sides. Empty: there is no distribution with all degrees in 0 … max_degree.
   std::vector<std::vector<int>> degrees;
   bool complete = true;   ///< false: there are more than were asked for; these differ everywhere, not at one end alone
   int least_maximum = 0;  ///< the largest degree of the best distributions, even where it is above the limit

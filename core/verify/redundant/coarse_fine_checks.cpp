@@ -257,13 +257,13 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
     const AxisJet left = in.path.at_parameter(before, in.path[before].curve().end()),
                   right = in.path.at_parameter(piece->segment, in.path[piece->segment].curve().begin());
     double tangent = std::abs(right.d1[k] - left.d1[k]), curvature = std::abs(right.d2[k] - left.d2[k]);
-    if (rounded) {
-      const double before_size = rounding * size_of(in.path, before, left),
-                   after_size = rounding * size_of(in.path, before + 1, right),
-                   before_turn = turned_by(in.path, before, left), after_turn = turned_by(in.path, before + 1, right);
-      tangent = std::min(tangent, before_size * before_turn + after_size * after_turn);
-      curvature = std::min(curvature, before_size * before_turn * before_turn + after_size * after_turn * after_turn);
-    }
+    const double before_size = rounding * size_of(in.path, before, left),
+                 after_size = rounding * size_of(in.path, before + 1, right),
+                 before_turn = turned_by(in.path, before, left), after_turn = turned_by(in.path, before + 1, right),
+                 turned = before_size * before_turn + after_size * after_turn,
+                 bent = before_size * before_turn * before_turn + after_size * after_turn * after_turn;
+    tangent = rounded ? std::min(tangent, turned) : tangent + turned;
+    curvature = rounded ? std::min(curvature, bent) : curvature + bent;
     const LawState end = (piece - 1)->at((piece - 1)->duration);
     const double v = std::max(end.v, piece->v), a = std::max(std::abs(end.a), std::abs(piece->a));
     jump = std::max(jump, derivative == 1 ? tangent * v : curvature * v * v + tangent * a);

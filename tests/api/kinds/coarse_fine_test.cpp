@@ -133,6 +133,33 @@ TEST(CoarseFine, JerkInSpaceIsPlannedAndHeld) {
   EXPECT_TRUE(job.result["details"]["redundancy"]["coarse_jerk_limited"].get<bool>());
 }
 
+/// z has no fine axis and follows a corner rounded to 0.013 mm: its acceleration at the joints is known as far as the
+/// curvature of so short a curve is rounded.
+TEST(CoarseFine, AnAxisWithoutAFineOneFollowsAShortRoundingInSpace) {
+  json spec = example("coarse_fine");
+  const json coarse{{"velocity", 1662.3433344104506}, {"acceleration", 8315.82408134405}, {"jerk", 3515278.6751196915}};
+  const json fine{{"velocity", 2526.061868986645},
+                  {"acceleration", 88874.27774117474},
+                  {"stroke", 0},
+                  {"jerk", 15672201.703306662}};
+  spec["machine"] = {{"kinematics", "coarse_fine"},
+                     {"coarse", {{"x", coarse}, {"y", coarse}, {"z", coarse}}},
+                     {"fine", {{"x", fine}, {"y", fine}}},
+                     {"cycle_time", 0.001},
+                     {"redundancy", {{"method", "joint"}, {"trades", false}, {"smoothness", 0.25}}}};
+  spec["planning"] = {{"corner", {{"mode", "blend"}, {"tolerance", 0.013441183798641955}}}};
+  spec["contour"] = {{"start", {25.075913, -27.376959, -9.987736}},
+                     {"blocks",
+                      {{{"mode", "cut"},
+                        {"segments",
+                         {{{"arc",
+                            {{"to", {24.510065057022427, -26.75454839949378, -10.153521874460251}},
+                             {"center", {25.28533418267523, -26.61815127701807, -9.987736}},
+                             {"direction", "cw"}}}},
+                          {{"line", {23.31247921671319, -19.947576885295803, -9.035412082191453}}}}}}}}};
+  EXPECT_TRUE(planned(spec).verified);
+}
+
 TEST(CoarseFine, WhatTheMethodDoesNotLookAtIsNoted) {
   json spec = example("coarse_fine");
   spec["machine"]["redundancy"]["degree"] = 4;

@@ -111,6 +111,37 @@ TEST(FillFactorPlan, NeedleTellsOfAllFourRegions) {
     EXPECT_EQ(layout["regions"][region]["positions"].size(), count);
 }
 
+TEST(FillFactorPlan, ARotorsNeedlePassesBetweenThePoles) {
+  SilentProgress silent;
+  json spec = example("rotor");
+  spec["algorithms"] = {"needle"};
+  const auto gap = [&](json heads) {
+    spec["heads"] = std::move(heads);
+    return planned(spec, silent).result["details"]["slot"]["clear_opening"].get<double>();
+  };
+  const double five = gap({{"poles", 5}}), six = gap({{"poles", 6}});
+  EXPECT_LT(six, five);
+  // A pole drawn in by d lets each side of the gap stand d·sin(half a pitch) closer to the plane between the poles.
+  const double radius = 40.1, closer = 2 * 0.5 * std::sin(std::numbers::pi / 5);
+  EXPECT_NEAR(gap({{"poles", 5}, {"tooth_radius", radius - 0.5}}), five - closer, 1e-9);
+  spec["heads"] = {{"poles", 5}};
+  spec["needle_width"] = five + 0.01;
+  const PlannedJob job = planned(spec, silent);
+  EXPECT_FALSE(job.result["summary"]["producible"].get<bool>());
+  EXPECT_EQ(job.result["details"]["layouts"][0]["blocked_by"][0]["part"], "needle");
+}
+
+TEST(FillFactorInput, PolesWhoseCoilsReachIntoEachOtherAreRefused) {
+  json spec = example("rotor");
+  spec["heads"] = {{"poles", 1000}};
+  try {
+    request(spec);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.faults.at(0).place, (std::vector<std::string>{"heads", "poles"}));
+  }
+}
+
 TEST(FillFactorInput, TurnsBeyondTheBoundAreRefused) {
   json spec = example("wires");
   spec["turns"] = {{"serial", 1000}, {"parallel", 3}};

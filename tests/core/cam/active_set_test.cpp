@@ -69,6 +69,15 @@ TEST(ActiveSet, DegreeTwentyOneIsTheIncompleteBetaFunction) {
   EXPECT_NEAR(found.value.objective, 13.7094574981946, 1e-7);
 }
 
+/// With lopsided shares of the conditions derivatives grow from section to section: to 10²⁴ of the sine's over 60 points.
+TEST(ActiveSet, HundredsOfPositionsOfASineGiveASine) {
+  std::vector<MotionPoint> points{rest(0, 0)};
+  for (int i = 1; i < 400; ++i) points.push_back(point(i, 2, {number(10 * std::sin(0.5 * i))}));
+  points.push_back(rest(400, 10 * std::sin(200)));
+  const LawSolution found = solved(problem(400, false, points));
+  for (double x = 20; x < 380; x += 0.25) EXPECT_NEAR(found.law.evaluate(x, 1), 5 * std::cos(0.5 * x), 0.02) << x;
+}
+
 TEST(ActiveSet, FourPointsOfAPeriodicLawWithContinuityThreeAreSingular) {
   const auto places = fault_places(problem(360, true,
                                            {point(0, 3, {number(0)}), point(80, 3, {number(18)}),

@@ -77,6 +77,20 @@ TEST(Degrees, ManyTiesAreListedUpToTheNumberAskedFor) {
   EXPECT_GE(beginnings.size(), 8u);
 }
 
+/// 780 of them have two quartics; only where both are at the ends does every point share two and two.
+TEST(Degrees, OfManyTiesTheMostEvenOneIsTheFirst) {
+  std::vector<PointShare> shares(41, PointShare{4, 1, 3});
+  shares.front() = {3, 0, 0}, shares.back() = {3, 3, 3};
+  std::vector<int> even(40, 3);
+  even.front() = even.back() = 4;
+  for (const std::size_t at_most : {1, 16}) {
+    const auto found = balance_degrees(shares, std::vector<bool>(40, true), 21, at_most);
+    EXPECT_EQ(found.degrees.front(), even);
+    EXPECT_EQ(std::set<std::vector<int>>(found.degrees.begin(), found.degrees.end()).size(), found.degrees.size());
+    EXPECT_LE(found.degrees.size(), at_most);
+  }
+}
+
 TEST(Degrees, AGivenSectionHasNone) {
   const auto found = balance_degrees({{3, 0, 0}, {4, 4, 4}, {4, 0, 0}, {3, 3, 3}}, {true, false, true}, 21, 10);
   EXPECT_EQ(found.degrees, (std::vector<std::vector<int>>{{6, -1, 6}}));
