@@ -56,6 +56,13 @@ int least_degree(const LawTask& task) {
 
 namespace {
 
+/// What laws have in common that a bound is over, where that is not all.
+const char* common_sections(const LawTask& task) {
+  const bool any =
+      std::any_of(task.given.begin(), task.given.end(), [](const auto& given) { return given.has_value(); });
+  return any ? "; over all laws that contain the classical sections" : "";
+}
+
 /// What a bound takes for granted where neither weights nor conditions limit what rounding of its multipliers is worth.
 const char* assumption(const LawTask& task, double objective) {
   return task.weight[1] > 0 && task.weight[2] > 0 && position_bound(task, objective) > 0
@@ -71,8 +78,8 @@ void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, P
   if (!task.free_angles()) {
     choice.bound = relaxation_bound(task, task.at, law, {}, progress);
     ++choice.programs;
-    choice.basis =
-        "linear program " + program + ": every law with bounded jerk keeps it" + assumption(task, law.objective());
+    choice.basis = "linear program " + program + ": every law with bounded jerk keeps it" + common_sections(task) +
+                   assumption(task, law.objective());
     return;
   }
   const AllLawsBound bound = bound_over_angles(task, law, most_boxes, 1e-3, progress);
@@ -80,7 +87,7 @@ void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, P
   choice.bound = bound.objective;
   choice.basis = "linear programs " + program + ", over boxes of angles (branch and bound, " +
                  std::to_string(bound.programs) + " programs" +
-                 (bound.complete ? ")" : ", ended before the last box was settled)") +
+                 (bound.complete ? ")" : ", ended before the last box was settled)") + common_sections(task) +
                  assumption(task, law.objective());
 }
 

@@ -16,7 +16,7 @@ void find_extrema(std::span<const double> bernstein, std::vector<Extremum>& out)
 /// max p over [0, 1] from above: at most 1e-13 of the largest coefficient more than the maximum. Subdivision; the
 /// Bernstein coefficients enclose what they belong to (Farouki, CAGD 29, 2012).
 Extremum greatest_value(std::span<const double> bernstein);
-/// max |p| likewise; `value` is not negative.
+/// max |p| over [0, 1] from above, as close; `value` is not negative.
 Extremum greatest_magnitude(std::span<const double> bernstein);
 
 /// de Casteljau. O(degree²).

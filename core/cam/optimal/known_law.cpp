@@ -16,6 +16,14 @@ KnownLaw::KnownLaw(const LawTask& task, const SectionBasis& basis, const SplineR
   for (std::size_t i = 0; i < points_.size(); ++i) points_[i] = {spline.breaks[i], spline.breaks[i]};
   std::vector<double> b(basis.degree() + 1);
   for (std::size_t section = 0; section < task.sections(); ++section) {
+    if (task.is_given(section)) {
+      const GivenSection& given = task.given[section]->law;
+      const double begin = spline.breaks[section], whole = spline.breaks[section + 1] - begin;
+      for (std::size_t i = 0; i < given.bernstein.size(); ++i)
+        pieces_.push_back(
+            {begin + whole * given.breaks[i], whole * (given.breaks[i + 1] - given.breaks[i]), given.bernstein[i]});
+      continue;
+    }
     const double length = (spline.breaks[section + 1] - spline.breaks[section]) / static_cast<double>(basis.pieces());
     for (std::size_t piece = 0; piece < basis.pieces(); ++piece) {
       basis.bernstein(piece, spline.coefficients.data() + section * basis.size(), b.data());

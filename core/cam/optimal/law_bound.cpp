@@ -44,10 +44,7 @@ AllLawsBound bound_over_angles(const LawTask& task, const KnownLaw& law, std::si
     for (const bool low : {true, false}) {
       Box half = box;
       (low ? half.ranges[widest].max : half.ranges[widest].min) = middle;
-      bool ordered = true;
-      for (std::size_t i = 0; i + 1 < half.ranges.size(); ++i)
-        ordered = ordered && half.ranges[i].min < half.ranges[i + 1].max;
-      if (!ordered) continue;
+      if (!tighten(task, half.ranges)) continue;
       half.bound = std::max(box.bound, relaxation_bound(task, half.ranges, law, options, progress));
       ++result.programs;
       open.push(std::move(half));

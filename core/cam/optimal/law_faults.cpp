@@ -19,6 +19,7 @@ std::string number(double value) {
 }
 
 std::vector<std::string> place_of(const LawTask::Condition& condition) {
+  if (condition.given != LawTask::none) return {"points", std::to_string(condition.given), "law"};
   std::vector<std::string> place{"points", std::to_string(condition.point)};
   if (condition.order < limited_orders) {
     place.emplace_back(order_names[condition.order]);
@@ -62,13 +63,24 @@ void explain_infeasible(const LawTask& task, const SectionBasis& basis, const st
       (basis.pieces() == 1 ? std::string(" with one piece") : " with " + std::to_string(basis.pieces()) + " pieces") +
       " per section";
   std::vector<InputFault> faults;
-  for (const std::size_t c : conflict.conditions)
+  std::vector<std::size_t> named;  // given sections
+  for (const std::size_t c : conflict.conditions) {
+    if (const std::size_t given = task.conditions[c].given; given != LawTask::none) {
+      if (std::find(named.begin(), named.end(), given) != named.end()) continue;
+      named.push_back(given);
+      faults.push_back({place_of(task.conditions[c]),
+                        "the state in which this classical law ends at point " +
+                            std::to_string(task.conditions[c].point) + " contradicts the conditions named here for " +
+                            degree + ": take more pieces, a higher degree, or less continuity at that point"});
+      continue;
+    }
     faults.push_back({place_of(task.conditions[c]),
                       conflict.values
                           ? "contradicts the other values named here for " + degree +
                                 ": take more pieces, a higher degree, less continuity, or a range"
                           : "this range cannot be reached together with the other conditions named here for " + degree +
                                 ": widen it, or take more pieces or a higher degree"});
+  }
   for (const auto& [section, order] : conflict.limits)
     faults.push_back({{"points", std::to_string(section), "section", order_names[order]},
                       "no law of " + degree +

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/cam/cam_law.hpp"
+#include "core/cam/optimal/given_sections.hpp"
 
 namespace bahnwerk::cam {
 namespace {
@@ -40,6 +41,16 @@ bool LawTask::free_angles() const {
   return std::any_of(at.begin(), at.end(), [](const Range& range) { return !range.fixed(); });
 }
 
+double LawTask::Given::peak_at(int order, double length) const {
+  return peak[static_cast<std::size_t>(order)] / std::pow(length, order);
+}
+
+std::optional<double> LawTask::constant_velocity(std::size_t section) const {
+  const auto& limit = limits[section];
+  if (limit[1].fixed()) return limit[1].min;
+  return limit[0].fixed() ? std::optional(0.0) : std::nullopt;
+}
+
 double LawTask::to_task(int order) const { return std::pow(unit_time, order) / unit_position; }
 
 std::vector<double> LawTask::breaks(const std::vector<double>& times) const {
@@ -52,6 +63,16 @@ std::vector<double> LawTask::middle() const {
   std::vector<double> result;
   for (const Range& range : at) result.push_back(middle_of(range));
   return result;
+}
+
+bool tighten(const LawTask& task, std::vector<Range>& at) {
+  for (std::size_t i = 1; i < at.size(); ++i) at[i].min = std::max(at[i].min, at[i - 1].min);
+  for (std::size_t i = at.size() - 1; i-- > 0;) at[i].max = std::min(at[i].max, at[i + 1].max);
+  if (task.periodic) {
+    at.front().min = std::max(at.front().min, at.back().min - task.cycle);
+    at.back().max = std::min(at.back().max, at.front().max + task.cycle);
+  }
+  return std::none_of(at.begin(), at.end(), [](const Range& range) { return range.empty(); });
 }
 
 /// Where what a point and the sections on both sides of it allow is a single value, this is a condition: rows that hold
@@ -117,6 +138,8 @@ LawTask make_law_task(const MotionLawProblem& problem) {
     }
     task.limits.push_back(limits);
   }
+  tighten(task, task.at);
+  add_given_sections(problem, task);
   pin_values(task);
   const std::array<double, limited_orders> weight = effective_weights(problem);
   for (int r = 1; r < limited_orders; ++r)

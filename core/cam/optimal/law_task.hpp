@@ -3,17 +3,21 @@
 /// section, positions in parts of the points' span, so that derivatives of every order are of the order of 1 to 100.
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/cam/problem.hpp"
+#include "core/cam/spline/spline_system.hpp"
 
 namespace bahnwerk::cam {
 
 struct LawTask {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
   struct Condition {
     std::size_t point;
     int order;
     Range range;
+    std::size_t given = none;  ///< the given section that ends there with this value; none: the document asks for it
   };
   /// ∫ a(t) e^{(σ + iω) t} dt = 0 from one point to another (the same one: around the cycle).
   struct Vibration {
@@ -27,7 +31,15 @@ struct LawTask {
   std::vector<int> continuity;                            ///< each point's order of continuity
   std::vector<Condition> conditions;                      ///< values and ranges at points
   std::vector<std::array<Range, limited_orders>> limits;  ///< each section's limits by order
-  std::array<double, limited_orders> weight{};            ///< each peak's, in these units; J is in the user's
+  /// A section whose law is known, over the parameter 0 … 1: with other times of its points it is stretched.
+  struct Given {
+    GivenSection law;                           ///< breaks from 0 to 1, positions in these units
+    std::array<double, limited_orders> peak{};  ///< of |derivative| by order, for a length of 1
+    /// The largest |s^(order)| where the section lasts `length`.
+    double peak_at(int order, double length) const;
+  };
+  std::vector<std::optional<Given>> given;      ///< empty, or one entry per section
+  std::array<double, limited_orders> weight{};  ///< each peak's, in these units; J is in the user's
   /// J is the largest weight · peak instead of their sum: how far a law exceeds limits that are 1 / weight.
   bool largest_peak = false;
   std::vector<Vibration> vibration;
@@ -37,6 +49,14 @@ struct LawTask {
   std::size_t points() const { return at.size(); }
   std::size_t sections() const { return limits.size(); }
   std::size_t end_point(std::size_t section) const { return section + 1 < points() ? section + 1 : 0; }
+  /// The sections that end and begin at a point; none: there is no such section.
+  std::size_t section_before(std::size_t point) const {
+    return point > 0 ? point - 1 : periodic ? sections() - 1 : none;
+  }
+  std::size_t section_behind(std::size_t point) const { return point < sections() ? point : none; }
+  bool is_given(std::size_t section) const { return section < given.size() && given[section].has_value(); }
+  /// The velocity of a section whose limits leave one alone: a straight section.
+  std::optional<double> constant_velocity(std::size_t section) const;
   bool free_angles() const;
   /// Whether a section begins at the point and one ends there, whose derivatives meet.
   bool joint(std::size_t point) const { return periodic || (point > 0 && point + 1 < points()); }
@@ -48,7 +68,10 @@ struct LawTask {
   std::vector<double> middle() const;
 };
 
-/// Needs the cycle's duration.
+/// Takes from ranges of times what the order of the points excludes. false: nothing is left of one.
+bool tighten(const LawTask& task, std::vector<Range>& at);
+
+/// Needs the cycle's duration. Throws InvalidInput where classical sections do not fit (given_sections.hpp).
 LawTask make_law_task(const MotionLawProblem& problem);
 
 }  // namespace bahnwerk::cam

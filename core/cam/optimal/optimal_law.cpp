@@ -22,32 +22,59 @@ std::string number(double value) {
   return text;
 }
 
+/// Both ends of a straight section: the numbers of its points, where there are any.
+std::vector<double> straight_line(const MotionLawProblem& problem, const LawTask& task, std::size_t section,
+                                  double begin, double length) {
+  const double rise = *task.constant_velocity(section) * length * task.unit_position;
+  const Range from = problem.points[section].value(0), to = problem.points[problem.end_point(section)].value(0);
+  if (from.fixed()) return {from.min, to.fixed() ? to.min : from.min + rise};
+  const double start = to.fixed() ? to.min - rise : task.origin + task.unit_position * begin;
+  return {start, to.fixed() ? to.min : start + rise};
+}
+
+/// Given sections with their own pieces, straight ones as a line each.
 CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const SectionBasis& basis,
               const SplineResult& spline) {
   std::vector<double> breaks;
   std::vector<LawPiece> pieces;
   const double begin = problem.points.front().at.min * problem.seconds_per_unit();
   const double count = static_cast<double>(basis.pieces());
+  const auto add = [&](std::size_t section, double time, std::vector<double> bernstein) {
+    breaks.push_back(begin + task.unit_time * time);
+    pieces.push_back({section, std::move(bernstein)});
+  };
+  const auto in_user_units = [&](std::vector<double> bernstein) {
+    for (double& b : bernstein) b = task.origin + task.unit_position * b;
+    return bernstein;
+  };
   for (std::size_t section = 0; section < task.sections(); ++section) {
     const double from = spline.breaks[section], length = spline.breaks[section + 1] - from;
-    for (std::size_t piece = 0; piece < basis.pieces(); ++piece) {
-      LawPiece out;
-      out.section = section;
-      out.bernstein.resize(basis.degree() + 1);
-      basis.bernstein(piece, spline.coefficients.data() + section * basis.size(), out.bernstein.data());
-      for (double& b : out.bernstein) b = task.origin + task.unit_position * b;
-      pieces.push_back(std::move(out));
-      breaks.push_back(begin + task.unit_time * (from + length * static_cast<double>(piece) / count));
+    const double* const coefficients = spline.coefficients.data() + section * basis.size();
+    if (task.is_given(section)) {
+      const GivenSection& given = task.given[section]->law;
+      for (std::size_t i = 0; i < given.bernstein.size(); ++i)
+        add(section, from + length * given.breaks[i], in_user_units(given.bernstein[i]));
+    } else if (task.constant_velocity(section)) {
+      add(section, from, straight_line(problem, task, section, coefficients[0], length));
+    } else {
+      for (std::size_t piece = 0; piece < basis.pieces(); ++piece) {
+        std::vector<double> b(basis.degree() + 1);
+        basis.bernstein(piece, coefficients, b.data());
+        add(section, from + length * static_cast<double>(piece) / count, in_user_units(std::move(b)));
+      }
     }
   }
   breaks.push_back(begin + task.unit_time * spline.breaks.back());
   return CamLaw(std::move(breaks), std::move(pieces), task.periodic);
 }
 
-/// The same law with J as the task weighs it.
-SplineResult in_weights(const LawTask& task, SplineResult spline) {
-  spline.objective = 0;
-  for (std::size_t r = 1; r < limited_orders; ++r) spline.objective += task.weight[r] * spline.peaks[r];
+/// Returns the law with all peaks and with J as the problem weighs them: the drive's program knows the limited ones.
+SplineResult in_weights(const MotionLawProblem& problem, const LawTask& task, const SectionBasis& basis,
+                        SplineResult spline) {
+  const LawValue value = evaluate_objective(problem, to_law(problem, task, basis, spline));
+  for (std::size_t r = 1; r < limited_orders; ++r)
+    spline.peaks[r] = value.peaks[r].value * task.to_task(static_cast<int>(r));
+  spline.objective = value.objective;
   return spline;
 }
 
@@ -58,7 +85,7 @@ void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vec
     const MotionPoint &from = problem.points[section],
                       &to = problem.points[problem.periodic ? problem.end_point(section) : section + 1];
     const Range a = from.value(0), b = to.value(0);
-    if (!from.section[0].free() || !std::isfinite(a.min + a.max + b.min + b.max)) continue;
+    if (from.law || !from.section[0].free() || !std::isfinite(a.min + a.max + b.min + b.max)) continue;
     const double low = std::min(a.min, b.min), high = std::max(a.max, b.max);
     const LawExtremes extremes = law.section_extremes(0, section);
     const double over = std::max(extremes.highest.value - high, low - extremes.lowest.value);
@@ -75,9 +102,17 @@ void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vec
   }
 }
 
+/// Whether a law is a spline of that degree in all sections that are free.
+bool has_degree(const CamLaw& law, const LawTask& task, int degree) {
+  for (std::size_t i = 0; i < law.pieces(); ++i)
+    if (!task.is_given(law.piece(i).section) && law.piece(i).degree() > static_cast<std::size_t>(degree)) return false;
+  return true;
+}
+
 }  // namespace
 
-OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress) {
+OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, const LawSolution* candidate) {
+  check_classical_sections(given);
   MotionLawProblem problem = with_straight_sections(given);
   problem.objective.zero_crossing_penalty = 0;
   OptimalLaw result;
@@ -99,7 +134,7 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress) {
   const LawTask task = make_law_task(problem);
   if (shortest) {
     const SectionBasis basis(chosen.degree, chosen.pieces);
-    const KnownLaw law(task, basis, in_weights(task, chosen.spline));
+    const KnownLaw law(task, basis, in_weights(problem, task, basis, chosen.spline));
     bound_law(task, law, chosen, progress);
   } else {
     chosen = choose_degree(problem, task, progress);
@@ -116,7 +151,17 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress) {
                               ? problem.points[i].at.min
                               : problem.points.front().at.min + spline.breaks[i] * problem.length / task.cycle);
   solution.value = evaluate_objective(problem, solution.law);
-  solution.degrees.assign(problem.sections(), chosen.degree);
+  if (candidate && !task.free_angles() && !shortest && has_degree(candidate->law, task, chosen.degree))
+    if (const LawValue value = evaluate_objective(problem, candidate->law);
+        value.objective < solution.value.objective * (1 - 1e-12)) {
+      solution.law = candidate->law;
+      solution.value = value;
+    }
+  solution.degrees.assign(problem.sections(), 0);
+  for (std::size_t i = 0; i < solution.law.pieces(); ++i) {
+    int& degree = solution.degrees[solution.law.piece(i).section];
+    degree = std::max(degree, static_cast<int>(solution.law.piece(i).degree()));
+  }
   solution.systems = static_cast<std::size_t>(chosen.programs);
   if (shortest) {
     // The law was made for the cycle, not for J: what J could be at its angles says another program.

@@ -17,8 +17,13 @@ struct OptimalLaw {
   bool proven = true;  ///< objective and lower agree to 1e-7
 };
 
-/// Throws InvalidInput naming the point or section where values contradict each other, where a limit cannot hold, or
-/// where a section has a classical law that is not straight.
-OptimalLaw plan_optimal_law(const MotionLawProblem& problem, Progress& progress);
+/// Sections that name a classical law have this law (given_sections.hpp, straight_sections.hpp); bounds are then over
+/// the laws that contain it. Throws InvalidInput naming the point or section where values contradict each other, where
+/// a limit cannot hold, or where a classical law does not fit.
+///
+/// `candidate`: a law of the same problem from another method, none or one that keeps all of it. It is taken where its
+/// J is smaller and it is one of the splines of the chosen degree, so that `optimal` is never worse by rounding.
+OptimalLaw plan_optimal_law(const MotionLawProblem& problem, Progress& progress,
+                            const LawSolution* candidate = nullptr);
 
 }  // namespace bahnwerk::cam

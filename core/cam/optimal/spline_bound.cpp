@@ -54,7 +54,7 @@ double SplineProgram::settle_multipliers(const SplineResult& law) {
   return bound;
 }
 
-/// How far a law with J ≤ upper may be from the one at hand inside a section: both pass the nearest position that is
+/// How far a law with J ≤ upper may be from the current one inside a section: both pass the nearest position that is
 /// known, and neither is faster than its J allows. Infinite where nothing limits that.
 double SplineProgram::reach(std::size_t section, double upper, double peak_velocity) const {
   double least = std::numeric_limits<double>::infinity();
@@ -72,8 +72,8 @@ double SplineProgram::reach(std::size_t section, double upper, double peak_veloc
   return least;
 }
 
-/// Weak duality: cᵀx ≥ value + residualᵀx for every x that is feasible. What the residual is worth is taken at the law
-/// at hand, and what another law can differ from it comes off.
+/// Weak duality: cᵀx ≥ value + residualᵀx for every x that is feasible. What the residual is worth is taken at the
+/// current law, and what another law can differ from it comes off.
 double SplineProgram::lower_bound(const SplineResult& law) const {
   const DualValue dual = dual_value(band_, point_.y, point_.z);
   const double upper = law.objective;
@@ -99,6 +99,7 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
   }
   const Eigen::PartialPivLU<Eigen::MatrixXd> factors(collocation);
   for (std::size_t section = 0; section < task_.sections(); ++section) {
+    if (task_.is_given(section)) continue;  // its variables are 0
     const Eigen::Map<const Eigen::VectorXd> residual(dual.residual.data() + section * size,
                                                      static_cast<Eigen::Index>(size));
     const double apart = reach(section, upper, law.peaks[1]), price = factors.solve(residual).lpNorm<1>();
@@ -111,7 +112,8 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
   }
   for (std::size_t r = 1; r < limited_orders; ++r)
     if (counted(static_cast<int>(r))) {
-      bound -= std::abs(dual.residual[band_.border_index(peak_border_[r])]) * upper / (task_.weight[r] * unit_[r]);
+      bound -= std::max(0.0, -dual.residual[band_.border_index(peak_border_[r])]) * upper /
+               (task_.weight[r] * unit_[r]);  // peaks are not negative
       if (task_.largest_peak) break;
     }
   return bound * unit_objective_;

@@ -15,6 +15,11 @@ SplineProgram::SplineProgram(const LawTask& task, const SectionBasis& basis, con
   for (std::size_t r = 1; r < limited_orders; ++r)
     if (counted(static_cast<int>(r)))
       peak_border_[r] = task.largest_peak && band_.borders() > 0 ? 0 : band_.add_border(1);
+  for (int r = 1; r < limited_orders; ++r)
+    for (std::size_t s = 0; s < task.given.size() && counted(r); ++s) {
+      if (!task.given[s]) continue;
+      floors_.push_back({s, r, task.given[s]->peak_at(r, lengths_[s])});
+    }
   time_border_.assign(task.points(), BorderedRow::none);
   if (reference)
     for (std::size_t i = 0; i < task.points(); ++i)
@@ -40,13 +45,13 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
   center();
   const double first_objective = std::max(result.objective, 1e-300);
   double gap = 1, distance = 1, last_distance = std::numeric_limits<double>::infinity();
-  int stalled = 0, failed = 0;
+  int stalled = 0, failed = 0, polishing = 0;
   SplineResult best;
   for (;; ++result.rounds) {
     InteriorPointOptions interior;
     interior.gap = std::max(options.gap * 0.05, std::min(1e-3, 0.02 * distance));
     interior.residual = 1e-9;
-    interior.primal_residual = 0.2 * options.violation;
+    interior.primal_residual = (polishing > 0 ? 0.02 : 0.2) * options.violation;
     interior.tick = [&] { progress.report("optimal law", 0); };
     interior.max_iterations = 30;
     InteriorPointResult inner = solve_interior_point(band_, point_, interior);
@@ -71,15 +76,22 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
       continue;
     }
     const bool holds = result.violation <= options.violation;
-    if (!best.feasible || (holds && (best.violation > options.violation || result.objective < best.objective)) ||
-        (!holds && best.violation > options.violation && result.violation < best.violation)) {
+    if (!best.feasible ||
+        (holds && (best.violation > options.violation || (polishing == 0 && result.objective < best.objective))) ||
+        (!holds && best.violation > options.violation && result.violation < best.violation) ||
+        (polishing > 0 && holds && result.limit_violation < best.limit_violation &&
+         result.objective - std::max(result.lower, 0.0) <= options.gap * result.objective)) {
       best.feasible = true;
       best.objective = result.objective;
       best.violation = result.violation;
+      best.limit_violation = result.limit_violation;
       best.coefficients = point_.x;
     }
     gap = (best.objective - std::max(result.lower, 0.0)) / std::max(best.objective, 1e-3 * first_objective);
-    if (gap <= options.gap && best.violation <= options.violation) break;
+    // Limits of sections of many pieces are looked at in parts of what a piece moves: two more rounds for them.
+    if (gap <= options.gap && best.violation <= options.violation &&
+        (best.limit_violation <= 0.05 * options.violation || ++polishing > 2))
+      break;
     if ((!inner.converged && ++failed > 2) || result.rounds + 1 >= options.max_rounds) break;
     // How far this law, which may leave limits by little, is from the optimum: what the next program has to be worth.
     const double own = (result.objective - std::max(result.lower, 0.0)) / std::max(result.objective, 1e-300);

@@ -6,6 +6,9 @@
 /// extrema of its law. The objective of a law is its true one (enclosures); the lower bound is that of the dual of a
 /// program with some sample points, hence valid for all of them. Rounds end when both agree. Cost: linear in the number
 /// of sections; some 5 to 8 rounds of 5 to 15 iterations.
+///
+/// A given section keeps its place among the variables, which are 0 there: its ends are conditions of its neighbours,
+/// its peaks lower limits of the shared peaks.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -35,7 +38,8 @@ struct SplineResult {
   double objective = 0;              ///< J of the true peaks
   double lower = 0;                  ///< no spline of this degree, with these angles, has less
   std::array<double, limited_orders> peaks{};
-  double violation = 0;  ///< the largest one of section limits and ranges, in parts of the order's unit
+  double violation = 0;        ///< the largest one of section limits and ranges, in parts of the order's unit
+  double limit_violation = 0;  ///< that of section limits alone
   int rounds = 0, iterations = 0;
   std::vector<LawSample> samples;  ///< the last round's: a start for a neighbouring program
 };
@@ -85,6 +89,7 @@ class SplineProgram {
   void initial_samples();
   void set_point(double mu);
   void center();
+  void add_floors();
   void set_peaks(const std::array<double, limited_orders>& peaks, double factor);
   void settle_equalities();
   void settle_points();
@@ -135,7 +140,13 @@ class SplineProgram {
     double sign;  // of the derivative that is not negative
   };
   std::vector<Contact> contacts_;  // one row each behind the ranges
-  std::size_t fixed_rows() const { return ranges_.size() + contacts_.size(); }
+  struct Floor {
+    std::size_t section;
+    int order;
+    double peak;
+  };
+  std::vector<Floor> floors_;  // peaks of given sections, below which no peak is; one row each behind the contacts
+  std::size_t fixed_rows() const { return ranges_.size() + contacts_.size() + floors_.size(); }
   std::vector<Sampled> range_state_;
   std::vector<LawSample> found_;  // extrema of the last law
 };

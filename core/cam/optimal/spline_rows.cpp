@@ -42,6 +42,7 @@ void SplineProgram::build_equalities() {
     return most > 0 ? side / most : side;
   };
   const auto joint = [&](std::size_t left, std::size_t right, std::size_t point, bool far) {
+    if (task_.is_given(left) || task_.is_given(right)) return;
     for (int r = 0; r <= std::min(task_.continuity[point], static_cast<int>(n)); ++r) {
       terms.clear();
       times.clear();
@@ -54,9 +55,8 @@ void SplineProgram::build_equalities() {
         band_.add_equality(terms, 0, times);
     }
   };
-  for (std::size_t point = 0; point < task_.points(); ++point) {
-    const bool last = point == sections;  // of an open law
-    if (point > 0 && !last) joint(point - 1, point, point, false);
+  // Conditions at a point for the section that begins there, or for the one that ends there.
+  const auto conditions = [&](std::size_t point, std::size_t section, bool end) {
     for (std::size_t c = 0; c < task_.conditions.size(); ++c) {
       const LawTask::Condition& condition = task_.conditions[c];
       if (condition.point != point) continue;
@@ -66,13 +66,28 @@ void SplineProgram::build_equalities() {
       }
       terms.clear();
       times.clear();
-      append(last ? point - 1 : point, last, condition.order, 1);
+      append(section, end, condition.order, 1);
       const double side = scaled(condition.range.min);
       equality_condition_.resize(band_.equality_side().size(), BorderedRow::none);
       band_.add_equality(terms, side, times);
       equality_condition_.push_back(c);
     }
+  };
+  for (std::size_t point = 0; point < task_.points(); ++point) {
+    const bool last = point == sections;  // of an open law
+    if (point > 0 && !last) joint(point - 1, point, point, false);
+    if (!last && !task_.is_given(point))
+      conditions(point, point, false);
+    else if (point > 0 && !task_.is_given(point - 1))
+      conditions(point, point - 1, true);
     if (last) continue;
+    if (task_.is_given(point)) {
+      for (std::size_t k = 0; k < size; ++k) {
+        const std::pair<std::size_t, double> variable[] = {{band_.add_variables(1), 1}};
+        band_.add_equality(variable, 0);
+      }
+      continue;
+    }
     band_.add_variables(size);
     // A limit that is a value holds where as many values say so as the derivative has coefficients.
     for (int r = 0; r < limited_orders; ++r) {
@@ -97,11 +112,13 @@ void SplineProgram::build_equalities() {
     }
   }
   if (task_.periodic) joint(sections - 1, 0, 0, true);
+  if (task_.periodic && task_.is_given(0) && !task_.is_given(sections - 1)) conditions(0, sections - 1, true);
   for (const LawTask::Vibration& vibration : task_.vibration)
     for (const VibrationRow& row : vibration_rows(task_, basis_, breaks_, vibration)) {
       terms = row.terms;
       times.clear();
-      band_.add_far_equality(terms, scaled(0));
+      const double side = scaled(-row.given);
+      band_.add_far_equality(terms, side);
     }
   equality_condition_.resize(band_.equality_side().size(), BorderedRow::none);
   find_contacts();
@@ -151,6 +168,24 @@ bool SplineProgram::pinned(const LawSample& sample) const {
   });
 }
 
+/// Peaks are not below those of given sections, which fall as sections get longer.
+void SplineProgram::add_floors() {
+  std::vector<BorderedRow::Term> terms;
+  for (const Floor& floor : floors_) {
+    const auto r = static_cast<std::size_t>(floor.order);
+    terms.assign(1, {peak_border_[r], 1});
+    // d(C/T^r) = −r C/T^(r+1) dT: the tangent of a convex function.
+    const double slope = floor.order * floor.peak / lengths_[floor.section] / unit_[r];
+    const std::size_t end = task_.periodic ? task_.end_point(floor.section) : floor.section + 1;
+    if (time_border_[floor.section] != BorderedRow::none) terms.push_back({time_border_[floor.section], -slope});
+    if (time_border_[end] != BorderedRow::none) terms.push_back({time_border_[end], slope});
+    BorderedRow row;
+    row.border = terms;
+    row.lower = floor.peak / unit_[r];
+    band_.add_row(row);
+  }
+}
+
 void SplineProgram::add_rows() {
   band_.clear_rows();
   const std::size_t n = basis_.degree(), size = basis_.size();
@@ -192,6 +227,7 @@ void SplineProgram::add_rows() {
     row.elastic = give_;
     band_.add_row(row);
   }
+  add_floors();
   for (const Sampled& sampled : samples_) {
     const LawSample& at = sampled.sample;
     const auto r = static_cast<std::size_t>(at.order);

@@ -1,4 +1,5 @@
-/// The law at hand: its true peaks and violations, and the sample points that its extrema and contacts ask for.
+/// Evaluates the current law: its true peaks and violations, and the sample points that its extrema and contacts ask
+/// for.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +21,7 @@ void SplineProgram::initial_samples() {
   samples_.clear();
   const std::size_t n = basis_.degree();
   for (std::size_t section = 0; section < task_.sections(); ++section)
-    for (int r = 0; r < limited_orders; ++r) {
+    for (int r = 0; r < limited_orders && !task_.is_given(section); ++r) {
       const Range& limit = task_.limits[section][static_cast<std::size_t>(r)];
       const bool peak = r > 0 && counted(r), limited = !limit.free() && !limit.fixed();
       if (!peak && !limited) continue;
@@ -56,8 +57,12 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
   result.violation = 0;
   std::vector<Extremum> extrema;
   std::array<double, limited_orders> peaks{};
+  for (const Floor& floor : floors_) {
+    double& peak = peaks[static_cast<std::size_t>(floor.order)];
+    peak = std::max(peak, floor.peak);
+  }
   for (std::size_t section = 0; section < task_.sections(); ++section)
-    for (int order = 0; order < limited_orders; ++order) {
+    for (int order = 0; order < limited_orders && !task_.is_given(section); ++order) {
       const auto r = static_cast<std::size_t>(order);
       const Range& limit = task_.limits[section][r];
       const bool peak = order > 0 && counted(order);
@@ -104,6 +109,7 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
               std::max({result.violation, (highest - limit.max) / unit_[r], (limit.min - lowest) / unit_[r]});
       }
     }
+  result.limit_violation = result.violation;
   result.peaks = peaks;
   result.objective = 0;
   for (std::size_t r = 1; r < limited_orders; ++r) {

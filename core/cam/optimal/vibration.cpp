@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cam/optimal/extrema.hpp"
+
 namespace bahnwerk::cam {
 namespace {
 
@@ -44,13 +46,38 @@ std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const SectionBas
     const std::size_t section = (vibration.from + k) % sections;
     whole += breaks[section + 1] - breaks[section];
   }
+  std::array<VibrationRow, 2> rows;
+  const auto parts_of = [&](double piece_length) {
+    return static_cast<std::size_t>(
+        std::ceil(std::max(1.0, std::hypot(vibration.decay, vibration.frequency) * piece_length)));
+  };
   double t = 0;
   for (std::size_t k = 0; k < steps; ++k) {
     const std::size_t section = (vibration.from + k) % sections;
     const double length = breaks[section + 1] - breaks[section],
                  piece_length = length / static_cast<double>(basis.pieces());
-    const auto parts = static_cast<std::size_t>(
-        std::ceil(std::max(1.0, std::hypot(vibration.decay, vibration.frequency) * piece_length)));
+    if (task.is_given(section)) {
+      const GivenSection& given = task.given[section]->law;
+      for (std::size_t piece = 0; piece < given.bernstein.size(); ++piece) {
+        const double begin = length * given.breaks[piece], duration = length * given.breaks[piece + 1] - begin;
+        std::vector<double> a = given.bernstein[piece];
+        differentiate_bernstein(a);
+        differentiate_bernstein(a);
+        const std::size_t parts = parts_of(duration);
+        for (std::size_t part = 0; part < parts; ++part)
+          for (std::size_t q = 0; q < rule.node.size(); ++q) {
+            const double v = (static_cast<double>(part) + rule.node[q]) / static_cast<double>(parts);
+            const double at = t + begin + v * duration;
+            const double value = rule.weight[q] / static_cast<double>(parts) * evaluate_bernstein(a, v) / duration *
+                                 std::exp(vibration.decay * (at - whole));
+            rows[0].given += value * std::cos(vibration.frequency * at);
+            rows[1].given += value * std::sin(vibration.frequency * at);
+          }
+      }
+      t += length;
+      continue;
+    }
+    const std::size_t parts = parts_of(piece_length);
     for (std::size_t piece = 0; piece < basis.pieces(); ++piece)
       for (std::size_t part = 0; part < parts; ++part)
         for (std::size_t q = 0; q < rule.node.size(); ++q) {
@@ -67,7 +94,6 @@ std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const SectionBas
         }
     t += length;
   }
-  std::array<VibrationRow, 2> rows;
   for (std::size_t i = 0; i < real.size(); ++i)
     if (real[i] != 0 || imaginary[i] != 0) {
       rows[0].terms.emplace_back(i, real[i]);

@@ -14,7 +14,8 @@
 namespace bahnwerk::cam {
 
 struct VibrationRow {
-  std::vector<std::pair<std::size_t, double>> terms;  ///< coefficient of the spline, weight; their sum has to be 0
+  std::vector<std::pair<std::size_t, double>> terms;  ///< coefficient of the spline, weight
+  double given = 0;                                   ///< what given sections add; the sum of both has to be 0
 };
 /// Real and imaginary part, with the integral scaled by e^{−ζω t1}. Gauss–Legendre quadrature with 12 points on parts
 /// that turn by 1 rad at most: exact to rounding up to degree 21.

@@ -199,14 +199,21 @@ std::string legend(const LawPlan& plan, double y) {
       limits = limits || !point.section[static_cast<std::size_t>(order)].free();
     }
   }
-  std::string words = "dots: numbers";
+  // The dot as the panels have it, then what each of the others looks like.
+  double x = left + 220;
+  out += svg::circle({x + 4, y - 4}, 3.2, std::string("fill=\"") + box_colour + "\"") +
+         svg::text({x + 14, y}, "numbers", small);
+  x += 84;
   if (ranges) {
-    out += rectangle(left + 220, y - 9, 16, 9,
-                     std::string("fill=\"") + box_colour + "\" fill-opacity=\"0.18\" stroke=\"" + box_colour + "\"");
-    words = "ranges; " + words;
+    out += rectangle(x, y - 9, 16, 9,
+                     std::string("fill=\"") + box_colour + "\" fill-opacity=\"0.18\" stroke=\"" + box_colour + "\"") +
+           svg::text({x + 22, y}, "ranges", small);
+    x += 84;
   }
-  if (limits) words += "; dashed red: limits of sections";
-  return out + svg::text({left + (ranges ? 242 : 220), y}, words, small);
+  if (limits)
+    out += svg::segment({x, y - 4}, {x + 24, y - 4}, "stroke=\"#c1121f\" stroke-dasharray=\"4 3\"") +
+           svg::text({x + 30, y}, "limits of sections", small);
+  return out;
 }
 
 }  // namespace

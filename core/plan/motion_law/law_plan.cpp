@@ -4,12 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/progress_part.hpp"
 #include "core/cam/classical/classical_sections.hpp"
 #include "core/cam/law_table.hpp"
-#include "core/cam/spline/angle_search.hpp"
 #include "core/plan/motion_law/planned_law.hpp"
 #include "core/verify/cam/law_verifier.hpp"
 
@@ -70,21 +68,14 @@ LawPlan plan_motion_law(const cam::MotionLawProblem& problem, const LawSampling&
   LawPlan plan;
   plan.problem = problem;
   {
-    ProgressPart part(progress, "law", 0, 0.8);
+    ProgressPart part(progress, "law", 0, 0.85);
     PlannedLaw found = plan_law(problem, part);
     plan.solution = std::move(found.solution);
     plan.lower = found.lower;
     plan.basis = std::move(found.basis);
+    plan.source_law = std::move(found.source);
   }
   plan.problem.cycle_duration = plan.solution.cycle_duration;
-  if (problem.method == cam::LawMethod::optimal && problem.cycle_duration && !problem.has_free_angles()) {
-    ProgressPart part(progress, "comparison", 0.8, 0.85);
-    try {
-      plan.source_law = cam::plan_active_set(plan.problem, part);
-    } catch (const InvalidInput&) {
-    } catch (const Infeasible&) {
-    }
-  }
   plan.classical = classical_law(plan.problem, plan.solution);
   plan.table = std::make_shared<cam::LawTable>(plan.solution.law, plan.problem, plan.solution.cycle_duration,
                                                table_steps(sampling, plan.solution.cycle_duration));

@@ -52,12 +52,27 @@ void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Pro
   }
 }
 
+/// The law of `active_set`, where there is one.
+std::optional<cam::LawSolution> compared_law(const cam::MotionLawProblem& problem, Progress& progress) {
+  if (!problem.cycle_duration || problem.has_free_angles()) return std::nullopt;
+  try {
+    return cam::plan_active_set(problem, progress);
+  } catch (const InvalidInput&) {
+  } catch (const Infeasible&) {
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress) {
   PlannedLaw out;
   if (problem.method == cam::LawMethod::optimal) {
-    cam::OptimalLaw found = cam::plan_optimal_law(problem, progress);
+    ProgressPart comparing(progress, "comparison", 0, 0.1), optimising(progress, "law", 0.1, 1);
+    out.source = compared_law(problem, comparing);
+    // active_set knows no vibration.
+    const bool candidate = out.source && problem.vibration.empty();
+    cam::OptimalLaw found = cam::plan_optimal_law(problem, optimising, candidate ? &*out.source : nullptr);
     out.solution = std::move(found.solution);
     if (out.solution.bound) out.lower = out.solution.bound->objective, out.basis = out.solution.bound->basis;
     return out;

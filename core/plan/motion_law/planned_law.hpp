@@ -1,5 +1,6 @@
 #pragma once
 /// A law by the method that the problem names, with its lower bound.
+#include <optional>
 #include <string>
 
 #include "core/cam/solution.hpp"
@@ -12,7 +13,11 @@ struct PlannedLaw {
   cam::LawSolution solution;
   double lower = 0;   ///< no law of whatever degree and angles has a smaller J
   std::string basis;  ///< what the bound rests on
+  /// `optimal` with fixed angles in a known cycle: the law of `active_set`, where there is one.
+  std::optional<cam::LawSolution> source;
 };
+/// `optimal` is never worse than `active_set` where both have the same degree: it takes that law where its J is
+/// smaller.
 PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress);
 
 /// A bound that costs nothing: between two points the mean velocity is reached. 0 where positions are not given.

@@ -61,7 +61,7 @@ TEST(MotionLaw, PowerAndBernsteinCoefficientsAreTheSamePolynomial) {
 }
 
 TEST(MotionLaw, EveryExampleOfTheMethodIsVerified) {
-  for (const char* name : {"tolerance_boxes", "classical", "mixed", "free_angles"}) {
+  for (const char* name : {"tolerance_boxes", "classical", "mixed", "free_angles", "classical_optimal"}) {
     const PlannedJob job = planned(example(name));
     EXPECT_TRUE(job.verified) << name << job.result["verification"].dump(1);
   }
@@ -73,6 +73,16 @@ TEST(MotionLaw, CoefficientsOfAClassicalSectionAreInTheResult) {
   EXPECT_NEAR(sections[0]["cv"].get<double>(), 1.759603, 1e-6);
   EXPECT_NEAR(sections[0]["ca"].get<double>(), 5.527957, 1e-6);
   EXPECT_TRUE(sections[1]["cv"].is_null());  // a dwell has no stroke
+}
+
+TEST(MotionLaw, ClassicalSectionsBesideOptimalOnesAreInTheResult) {
+  const json result = planned(example("classical_optimal")).result;
+  const json& sections = result["details"]["sections"];
+  EXPECT_EQ(sections[0]["law"], "inclined_sine");
+  EXPECT_NEAR(sections[0]["cv"].get<double>(), 2, 1e-9);
+  EXPECT_TRUE(sections[2]["law"].is_null());
+  EXPECT_LE(result["bound"]["objective"], result["summary"]["objective"]);
+  EXPECT_THAT(result["bound"]["basis"].get<std::string>(), testing::HasSubstr("contain the classical sections"));
 }
 
 TEST(MotionLaw, ALawThatLeavesTheRangeOfItsPointsSaysWhichLimitKeepsIt) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -39,6 +40,20 @@ TEST(Bernstein, KnownExtremesThatNothingExceedsStay) {
   take_extremes(std::vector<double>{0, 1, -1, 0}, known);
   EXPECT_EQ(known.high, 2);
   EXPECT_EQ(known.high_at, -1);
+}
+
+/// The velocity of a symmetric rise between rests: its own derivative vanishes at both ends, and next to the middle.
+TEST(Bernstein, AnExtremeBetweenEndsWithoutSlopeIsFound) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> value(0.1, 1);
+  for (int i = 0; i < 200; ++i) {
+    const double sign = i % 2 == 0 ? 1 : -1, low = sign * value(random), high = low + sign * value(random);
+    const double other = std::nextafter(low, i % 4 < 2 ? 2.0 : -2.0);
+    const std::vector<double> b{0, 0, low, high, i % 3 == 0 ? low : other, 0, 0};
+    BernsteinExtremes found{0, 0};
+    take_extremes(b, found);
+    EXPECT_NEAR(sign > 0 ? found.high : found.low, bernstein_value(b, 0.5), 1e-14);
+  }
 }
 
 TEST(Bernstein, APolynomialThatIsNearlyConstantHasItsValue) {

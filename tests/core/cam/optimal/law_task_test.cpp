@@ -40,6 +40,21 @@ TEST(LawTask, LimitsOfNeighboursThatLeaveOneValuePinIt) {
   EXPECT_TRUE(pinned.range.fixed());
 }
 
+TEST(LawTask, RangesLoseWhatTheOrderOfThePointsExcludes) {
+  LawTask task;
+  task.periodic = true;
+  task.cycle = 10;
+  std::vector<Range> at{{0, 4}, {3, 3}, {1, 8}, {2, 14}};
+  EXPECT_TRUE(tighten(task, at));
+  const std::vector<Range> expected{{0, 3}, {3, 3}, {3, 8}, {3, 13}};
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    EXPECT_EQ(at[i].min, expected[i].min) << i;
+    EXPECT_EQ(at[i].max, expected[i].max) << i;
+  }
+  at = {{5, 6}, {1, 4}, {7, 8}};
+  EXPECT_FALSE(tighten(task, at));
+}
+
 TEST(LawTask, VibrationGoesFromOnePointThatStandsStillToTheNext) {
   MotionLawProblem problem = testing::rest_to_rest(10, 0.5);
   problem.points.insert(problem.points.begin() + 1, point_at(40, {fixed(5)}));

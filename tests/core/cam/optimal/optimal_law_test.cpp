@@ -98,7 +98,10 @@ TEST(OptimalLaw, FaultsNameTheirPlace) {
   EXPECT_EQ(place_of(problem), (std::vector<std::string>{"points", "0", "acceleration"}));
   problem.degree = 6;
   problem.points[0].law = ClassicalLaw::modified_sine;
-  EXPECT_EQ(place_of(problem), (std::vector<std::string>{"points", "0", "law"}));
+  problem.points[0].section[1].max = 52;  // its peak is 1.7596 · 30 mm/s
+  EXPECT_EQ(place_of(problem), (std::vector<std::string>{"points", "0", "section", "velocity"}));
+  problem.points[0].section[1].max = 53;
+  EXPECT_EQ(place_of(problem), std::vector<std::string>{});
 }
 
 TEST(OptimalLaw, TheDriveDecidesWhereTheCycleHasNoDuration) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
@@ -44,22 +46,88 @@ TEST(StraightSections, AreStraightInAnOptimalLaw) {
   EXPECT_LE(plan_optimal_law(free, progress).solution.value.objective, found.solution.value.objective * (1 + 1e-8));
 }
 
+using Places = std::vector<std::vector<std::string>>;
+Places refused(const MotionLawProblem& problem, bool straight) {
+  Places places;
+  try {
+    if (straight)
+      with_straight_sections(problem);
+    else
+      check_classical_sections(problem);
+  } catch (const InvalidInput& fault) {
+    for (const InputFault& each : fault.faults) places.push_back(each.place);
+  }
+  return places;
+}
+
+/// No rounding of the program is left in it: a dwell at 0 is at 0.
+TEST(StraightSections, AreOneLineBetweenTheirNumbers) {
+  SilentProgress progress;
+  MotionLawProblem problem = packing_cam();
+  problem.points[3].values[0] = problem.points[4].values[0] = testing::fixed(0);
+  const CamLaw law = plan_optimal_law(problem, progress).solution.law;
+  std::size_t straight = 0;
+  for (std::size_t i = 0; i < law.pieces(); ++i) {
+    if (law.piece(i).section != 1 && law.piece(i).section != 3) continue;
+    EXPECT_EQ(law.piece(i).bernstein,
+              law.piece(i).section == 1 ? (std::vector<double>{12, 24}) : (std::vector<double>{0, 0}));
+    ++straight;
+  }
+  EXPECT_EQ(straight, 2u);
+  // A dwell of free height lies where the sections beside it end.
+  problem.points[3].values[0] = problem.points[4].values[0] = {-2, 2};
+  problem.points[3].law.reset();
+  problem.points[3].section[1] = {0, 0};
+  const CamLaw free = plan_optimal_law(problem, progress).solution.law;
+  for (std::size_t i = 0; i < free.pieces(); ++i) {
+    if (free.piece(i).section != 3) continue;
+    EXPECT_EQ(free.piece(i).degree(), 1u);
+    EXPECT_NEAR(free.in_piece(i, 0, 0), free.in_piece(i - 1, 1, 0), 1e-9);
+    EXPECT_NEAR(free.in_piece(i, 1, 0), free.in_piece(i + 1, 0, 0), 1e-9);
+  }
+}
+
 TEST(StraightSections, ARefusalNamesEveryLawThatIsInTheWay) {
   MotionLawProblem problem = packing_cam();
-  problem.points[0].law = ClassicalLaw::modified_sine;
-  problem.points[4].law = ClassicalLaw::quadratic;
   problem.points[2].values[0] = {23, 24};
   problem.points[3].section[1] = {0.5, 1};
-  try {
-    with_straight_sections(problem);
-    FAIL();
-  } catch (const InvalidInput& fault) {
-    ASSERT_EQ(fault.faults.size(), 4u);
-    EXPECT_EQ(fault.faults[0].place, (std::vector<std::string>{"points", "0", "law"}));
-    EXPECT_EQ(fault.faults[1].place, (std::vector<std::string>{"points", "1", "law"}));
-    EXPECT_EQ(fault.faults[2].place, (std::vector<std::string>{"points", "3", "section", "velocity"}));
-    EXPECT_EQ(fault.faults[3].place, (std::vector<std::string>{"points", "4", "law"}));
+  EXPECT_EQ(refused(problem, true), (Places{{"points", "1", "law"}, {"points", "3", "section", "velocity"}}));
+  problem = packing_cam();
+  problem.points[2].at = {140, 150};
+  problem.points[3].at = {190, 200};  // of a dwell, whose velocity does not depend on it
+  EXPECT_EQ(refused(problem, true), (Places{{"points", "1", "law"}}));
+}
+
+TEST(StraightSections, ClassicalLawsBesideThemBeginWithTheirVelocity) {
+  MotionLawProblem problem = packing_cam();
+  problem.points[0].law = problem.points[2].law = ClassicalLaw::polynomial_345;
+  const MotionLawProblem joined = with_straight_sections(problem);
+  EXPECT_EQ(joined.points[0].law, ClassicalLaw::polynomial_345);
+  EXPECT_FALSE(joined.points[1].law);
+  for (const std::size_t p : {1u, 2u}) {
+    EXPECT_NEAR(joined.points[p].value(1).min, 60, 1e-12);
+    EXPECT_TRUE(joined.points[p].value(1).fixed());
   }
+  EXPECT_EQ(joined.points[3].value(1).min, 0);
+  EXPECT_TRUE(joined.points[4].value(1).free());  // behind it is a spline
+  problem.points[1].values.push_back({-5, 50});
+  EXPECT_EQ(refused(problem, true), (Places{{"points", "1", "velocity"}}));
+}
+
+TEST(StraightSections, ClassicalLawsInMotionHaveFixedAnglesAndLeaveRoomBetweenStillPoints) {
+  MotionLawProblem problem = packing_cam();
+  problem.points[2].law = problem.points[4].law = ClassicalLaw::modified_sine;
+  EXPECT_EQ(refused(problem, false), Places{});
+  problem.points[3].at = {190, 210};
+  EXPECT_EQ(refused(problem, false), (Places{{"points", "3", "at"}}));
+  problem.points[3].at = {200, 200};
+  problem.points[4].at = {250, 270};  // behind it a modified sine begins at rest
+  EXPECT_EQ(refused(problem, false), Places{});
+  problem.vibration = {{5, 0}};
+  problem.points[0].still = problem.points[1].still = true;
+  problem.points[3].still = problem.points[4].still = true;
+  EXPECT_EQ(refused(problem, false),
+            (Places{{"points", "3", "still"}, {"points", "4", "still"}, {"points", "0", "still"}}));
 }
 
 }  // namespace

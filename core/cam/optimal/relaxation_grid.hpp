@@ -1,0 +1,40 @@
+#pragma once
+/// The grid of the relaxation: nodes over the cycle, and the cells between them on which laws are smooth.
+///
+/// Nodes lie at every point, in the middle of its range where its time is free, and evenly between them. Two nodes of
+/// the same time are one place before and behind a jump of the acceleration or the velocity, or two points whose ranges
+/// have the same middle: `joined` derivatives are equal there. A section whose law is known but for its position has no
+/// cells: what it is worth, its ends say.
+#include <cstddef>
+#include <vector>
+
+#include "core/cam/optimal/law_task.hpp"
+
+namespace bahnwerk::cam {
+
+struct RelaxationNode {
+  double time;          ///< the task's
+  std::size_t point;    ///< LawTask::none: of none
+  bool before = false;  ///< no cell begins here: its derivatives are the limits from the left
+  bool used = false;    ///< a cell begins or ends here
+  int joined = 0;       ///< derivatives 0 … joined − 1 are those of the node before it
+};
+struct RelaxationCell {
+  std::size_t left;     ///< its nodes: left, left + 1
+  int smooth;           ///< derivatives up to this order are certainly continuous inside, 2 at most
+  std::size_t section;  ///< the section that it certainly belongs to; LawTask::none: several may have it
+};
+struct RelaxationGrid {
+  std::vector<RelaxationNode> nodes;  ///< a periodic law's last one is its first one, a cycle later
+  std::vector<RelaxationCell> cells;
+  bool periodic;
+  bool closing(std::size_t node) const { return periodic && node + 1 == nodes.size(); }
+};
+
+/// Whether a section has no cells: a given one, or one whose position or velocity is a number between fixed times.
+bool is_known(const LawTask& task, const std::vector<Range>& ranges, std::size_t section);
+
+/// `ranges`: one per point, ascending as tighten() leaves them. About `cells` cells, 4 per section at least.
+RelaxationGrid lay_grid(const LawTask& task, const std::vector<Range>& ranges, std::size_t cells);
+
+}  // namespace bahnwerk::cam
