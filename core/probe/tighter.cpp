@@ -58,8 +58,9 @@ std::vector<ProbeProblem> with_tighter(const ProbeProblem& problem) {
     return static_cast<int>(std::floor(n * std::log2(std::max(1.0, most / value)))) + 1;
   };
   const auto share = [](int i, int n) { return std::exp2(-static_cast<double>(i) / n); };
-  const int first = steps_below(speed, highest, per_octave);
-  for (int i = first; i < first + lower; ++i) add(highest * share(i, per_octave), tolerance, {});
+  // The lowest one does not rise with the speed, so that a higher speed loses none of them.
+  const int first = steps_below(speed, highest, per_octave), least = few ? 13 : 0;
+  for (int i = first; i < std::max(first + lower, least); ++i) add(highest * share(i, per_octave), tolerance, {});
   if (tolerance > 0) {
     const double length = polyline_length(problem);
     const int widest = steps_below(tolerance, length, 2);
@@ -80,6 +81,33 @@ std::vector<ProbeProblem> with_tighter(const ProbeProblem& problem) {
   for (AxisLimits& axis : list.back().machine.axes)
     axis.acceleration = weakest.acceleration, axis.jerk = weakest.jerk, axis.snap = weakest.snap;
   return list;
+}
+
+bool scale_quantity(ProbeProblem& problem, TightenedQuantity quantity, double factor, const ProbeProblem& given) {
+  bool changed = false;
+  const auto scale = [&](double& value, double most) {
+    const double scaled = std::min(most, factor * value);
+    changed = changed || scaled != value;
+    value = scaled;
+  };
+  switch (quantity) {
+    case TightenedQuantity::speed:
+      scale(problem.speed, given.speed);
+      return changed;
+    case TightenedQuantity::tolerance:
+      scale(problem.tolerance, given.tolerance);
+      return changed;
+    default:
+      break;
+  }
+  for (std::size_t k = 0; k < problem.dimension(); ++k) {
+    AxisLimits& axis = problem.machine.axes[k];
+    const AxisLimits& most = given.axis(k);
+    if (quantity == TightenedQuantity::acceleration) scale(axis.acceleration, most.acceleration);
+    if (quantity == TightenedQuantity::jerk) scale(axis.jerk, most.jerk);
+    if (quantity == TightenedQuantity::snap) scale(axis.snap, most.snap);
+  }
+  return changed;
 }
 
 }  // namespace bahnwerk::probe

@@ -7,6 +7,7 @@
 #include "core/base/progress_scope.hpp"
 #include "core/probe/arcs/speed_choice.hpp"
 #include "core/probe/arcs/turn_path.hpp"
+#include "core/probe/lasting_phases.hpp"
 #include "core/probe/straight/straight.hpp"
 #include "core/probe/tighter.hpp"
 
@@ -134,20 +135,8 @@ class ArcSearch {
   double shortest_ = 0;
 };
 
-}  // namespace
-
-ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress) {
-  ProgressScope scope(progress, "stops", 0, 1);
-  return TurnPath(problem, all_rests(problem, straight_rows(problem))).write(scope);
-}
-
-double stops_duration(const ProbeProblem& problem) {
-  return TurnPath(problem, all_rests(problem, straight_rows(problem))).duration();
-}
-
-ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
-  ProgressScope scope(progress, "arcs", progress_from, progress_to);
-  scope.report();
+/// The quickest path that is found for the problem and for tighter ones. Progress covers the scope's part [begin, 1].
+ProbeMotion search_arcs(const ProbeProblem& problem, double begin, ProgressScope& scope) {
   const std::vector<ProbeProblem> problems = with_tighter(problem);  // the first one is the problem itself
   ArcSearch search(problems.front());
   // Each further problem costs as much as the first one, which is seconds for some hundred points.
@@ -155,7 +144,7 @@ ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double pr
   const std::size_t tried = problem.points.size() <= many ? problems.size() : 1;
   for (std::size_t i = 0; i < tried && !search.single(); ++i) {
     const auto n = static_cast<double>(tried), at = static_cast<double>(i);
-    scope.part(at / n, (at + 1) / n);
+    scope.part(begin + (1 - begin) * at / n, begin + (1 - begin) * (at + 1) / n);
     if (i == 0) {
       search.search(scope);
       if (tried > 1) search.polish(scope);
@@ -166,6 +155,16 @@ ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double pr
     }
   }
   return search.best().write(scope);
+}
+
+}  // namespace
+
+ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
+  ProgressScope scope(progress, "arcs", progress_from, progress_to);
+  scope.report();
+  return with_lasting_phases(
+      problem, search_arcs(problem, 0, scope), [&](const ProbeProblem& eased) { return search_arcs(eased, 1, scope); },
+      scope);
 }
 
 }  // namespace bahnwerk

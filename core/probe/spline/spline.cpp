@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -9,6 +11,7 @@
 
 #include "core/base/progress_scope.hpp"
 #include "core/probe/spline/spline_run.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "core/probe/straight/straight.hpp"
 #include "core/probe/tighter.hpp"
 #include "core/probe/within_limits.hpp"
@@ -64,19 +67,13 @@ class SplinePlanner {
     prefer_rows();
   }
 
-  /// Rests at every point but for those in a row, instead of solve().
-  void rest_everywhere() {
-    take_rests(0, problem_.points.size() - 1);
-    duration_ = resting(0, problem_.points.size() - 1);
-  }
-
   double duration() const { return duration_; }
 
   ProbeMotion write(ProgressScope& progress) const {
     MotionWriter writer(problem_);
     for (const Section& section : sections_) {
       progress.work(64);
-      if (section.first > 0) rest(writer, section.first);
+      if (section.first > 0) writer.rest(section.first);
       if (section.run)
         write(writer, section, progress);
       else
@@ -149,10 +146,6 @@ class SplinePlanner {
     sections_ = std::move(kept);
     duration_ = total;
   }
-  static void rest(MotionWriter& writer, std::size_t point) {
-    writer.pass(writer.time());
-    writer.phase(ProbePhaseKind::rest, writer.time(), writer.time(), point);
-  }
   void write(MotionWriter& writer, const Section& section, ProgressScope& progress) const {
     const SplineRun& run = *section.run;
     writer.aim(problem_.points[section.first]);
@@ -177,45 +170,75 @@ class SplinePlanner {
   double duration_ = 0;
 };
 
-constexpr double least_phase = 1e-6;  // duration of a phase relative to the motion's, far above the rounding of time
+/// The quickest plan for the problem and for tighter ones.
+class SplineSearch {
+ public:
+  SplineSearch(const ProbeProblem& problem, ProgressScope& scope) : scope_(scope), tighter_(with_tighter(problem)) {}
 
-/// Returns the problem with jerk and snap lowered until no axis reaches its acceleration or jerk in less than `phase`
-/// s.
-ProbeProblem with_phases_of(double phase, ProbeProblem problem) {
-  for (AxisLimits& axis : problem.machine.axes) {
-    axis.jerk = std::min(axis.jerk, axis.acceleration / phase);
-    axis.snap = std::min(axis.snap, axis.jerk / phase);
+  const SplinePlanner& best() const { return *best_; }
+
+  void search() {
+    const bool many = tighter_.front().points.size() > 2000;  // one rule has to do
+    for (std::size_t i = 0; i < 2 * tighter_.size(); ++i) {
+      const auto n = static_cast<double>(2 * tighter_.size()), at = static_cast<double>(i);
+      scope_.part(share_ * at / n, share_ * (at + 1) / n);
+      if (many && i > 0) break;
+      offer(tighter_[i / 2], i % 2 == 0);
+    }
+    if (tighter_.front().points.size() <= few) improve();
   }
-  return problem;
-}
+
+ private:
+  static constexpr std::size_t few = 100;  // points: up to there a hundred further plans cost a second at most
+  static constexpr double share_ = 0.4;    // of the progress: before improve()
+
+  bool offer(const ProbeProblem& problem, bool jerks) {
+    SplinePlanner planner(problem, jerks);
+    planner.solve(scope_);
+    if (best_ && !(planner.duration() < best_->duration())) return false;
+    best_.emplace(std::move(planner));
+    tightest_ = &problem, jerks_ = jerks;
+    return true;
+  }
+  /// Pattern search about the tighter problem of the best plan: each quantity is raised and lowered by steps that
+  /// become smaller. What the best plan does not use of a limit hardly matters then.
+  void improve() {
+    constexpr int rounds = 6;
+    double step = 0.25;  // octaves
+    for (int round = 0; round < rounds; ++round, step /= 2) {
+      scope_.part(share_ + (1 - share_) * round / rounds, share_ + (1 - share_) * (round + 1) / rounds);
+      for (const TightenedQuantity quantity : tightened_quantities)
+        for (const double octaves : {-step, step}) {
+          ProbeProblem problem = *tightest_;
+          if (!scale_quantity(problem, quantity, std::exp2(octaves), tighter_.front())) continue;
+          further_.push_back(std::move(problem));
+          if (!offer(further_.back(), jerks_)) further_.pop_back();
+        }
+    }
+  }
+
+  ProgressScope& scope_;
+  std::vector<ProbeProblem> tighter_;  // the first one is the problem itself
+  std::deque<ProbeProblem> further_;   // plans refer to them
+  std::optional<SplinePlanner> best_;
+  const ProbeProblem* tightest_ = nullptr;  // that of the best plan
+  bool jerks_ = true;                       // of the best plan
+};
 
 }  // namespace
 
 ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "spline", progress_from, progress_to);
   scope.report();
-  const std::vector<ProbeProblem> problems = with_tighter(problem);
-  const bool many = problem.points.size() > 2000;  // one rule has to do
-  std::optional<SplinePlanner> best;
-  for (std::size_t i = 0; i < 2 * problems.size(); ++i) {
-    const auto n = static_cast<double>(2 * problems.size()), at = static_cast<double>(i);
-    scope.part(at / n, (at + 1) / n);
-    const bool jerks = i % 2 == 0;
-    if (many && !jerks) break;
-    SplinePlanner planner(problems[i / 2], jerks);
-    planner.solve(scope);
-    if (!best || planner.duration() < best->duration()) best.emplace(std::move(planner));
-  }
-  ProbeMotion plan = within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
-  // Phases that are so short that rounding blurs them slow the motion: rests in phases that are longer may be quicker.
-  SplinePlanner rests(problem, false);
-  rests.rest_everywhere();
-  if (plan.duration() <= rests.duration() * (1 + 1e-12)) return plan;
-  const ProbeProblem eased = with_phases_of(least_phase * rests.duration(), problem);
-  SplinePlanner eased_rests(eased, false);
-  eased_rests.rest_everywhere();
-  ProbeMotion resting = within_limits(problem, eased_rests.write(scope), scope);
-  return plan.duration() <= resting.duration() ? plan : resting;
+  SplineSearch search(problem, scope);
+  search.search();
+  const SplinePlanner& best = search.best();
+  ProbeMotion plan = within_limits(problem, slowed(best.write(scope), 1), scope);  // slowed motions land
+  // A motion that rounding does not slow is no slower than rests by construction.
+  constexpr double rounding = 1e-12;
+  if (plan.duration() <= best.duration() * (1 + rounding)) return plan;
+  ProbeMotion stops = plan_stops(problem, scope);
+  return plan.duration() <= stops.duration() * (1 + rounding) ? plan : stops;
 }
 
 }  // namespace bahnwerk

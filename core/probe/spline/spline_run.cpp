@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/bisection.hpp"
 #include "core/probe/straight/straight.hpp"
 
 namespace bahnwerk::probe {
@@ -57,10 +58,10 @@ void SplineRun::start(double share) {
     if (i + 1 < intervals()) {
       while (piece + 1 < profile.count && profile.piece[piece + 1].s <= way) ++piece;
       const ProfilePiece& p = profile.piece[piece];
-      double low = 0, high = p.duration;
-      for (int step = 0; step < 50; ++step) (p.at((low + high) / 2).s < way ? low : high) = (low + high) / 2;
-      t = p.t0 + (low + high) / 2;
-      along_[i + 1] = p.at((low + high) / 2);
+      const Bisection when = bisect(0, p.duration, 0, 50, [&](double tau) { return p.at(tau).s < way; });
+      const double tau = (when.low + when.high) / 2;
+      t = p.t0 + tau;
+      along_[i + 1] = p.at(tau);
     }
     time_[i] = std::max(t - before, 1e-3 * length_[i] / problem_.speed);
     before = t;

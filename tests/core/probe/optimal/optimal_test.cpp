@@ -5,6 +5,7 @@
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/figures.hpp"
 #include "core/probe/spline/spline.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "core/verify/probe/probe_bound.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/probe/probe_cases.hpp"
