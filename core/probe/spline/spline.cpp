@@ -173,56 +173,75 @@ class SplinePlanner {
 /// The quickest plan for the problem and for tighter ones.
 class SplineSearch {
  public:
-  SplineSearch(const ProbeProblem& problem, ProgressScope& scope) : scope_(scope), tighter_(with_tighter(problem)) {}
+  SplineSearch(const ProbeProblem& problem, ProgressScope& scope)
+      : problem_(with_reachable_speed(problem)), scope_(scope) {}
 
   const SplinePlanner& best() const { return *best_; }
 
   void search() {
-    const bool many = tighter_.front().points.size() > 2000;  // one rule has to do
-    for (std::size_t i = 0; i < 2 * tighter_.size(); ++i) {
-      const auto n = static_cast<double>(2 * tighter_.size()), at = static_cast<double>(i);
-      scope_.part(share_ * at / n, share_ * (at + 1) / n);
-      if (many && i > 0) break;
-      offer(tighter_[i / 2], i % 2 == 0);
-    }
-    if (tighter_.front().points.size() <= few) improve();
+    scope_.part(0, 0.1);
+    const std::size_t points = problem_.points.size();
+    starts_.push_back(offer(problem_, true));
+    if (points > many) return;
+    starts_.push_back(offer(problem_, false));
+    offer_all(slower_problems(problem_, best_->duration()));
+    offer_all(weaker_problems(problem_));
+    // What helps at the speed of the best plan may do nothing at the given one.
+    if (starts_.front().problem != &problem_ && points <= some) offer_all(weaker_problems(*starts_.front().problem));
+    starts_.resize(std::min<std::size_t>(starts_.size(), points <= few ? 3 : points <= some ? 1 : 0));
+    for (const Candidate& start : starts_) improve(start);
   }
 
  private:
-  static constexpr std::size_t few = 100;  // points: up to there a hundred further plans cost a second at most
-  static constexpr double share_ = 0.4;    // of the progress: before improve()
+  static constexpr std::size_t few = 40, some = 100;  // points: up to there hundreds of plans take less than a second
+  static constexpr std::size_t many = 2000;           // points: from there on one rule for jerks has to do
 
-  bool offer(const ProbeProblem& problem, bool jerks) {
+  struct Candidate {
+    double duration;
+    const ProbeProblem* problem;
+    bool jerks;
+  };
+
+  void offer_all(std::vector<ProbeProblem> problems) {
+    scope_.half_of_rest();
+    for (ProbeProblem& problem : problems) {
+      tighter_.push_back(std::move(problem));
+      for (const bool jerks : {true, false}) starts_.push_back(offer(tighter_.back(), jerks));
+    }
+    std::stable_sort(starts_.begin(), starts_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.duration < b.duration; });
+  }
+  Candidate offer(const ProbeProblem& problem, bool jerks) {
     SplinePlanner planner(problem, jerks);
     planner.solve(scope_);
-    if (best_ && !(planner.duration() < best_->duration())) return false;
-    best_.emplace(std::move(planner));
-    tightest_ = &problem, jerks_ = jerks;
-    return true;
+    const Candidate candidate{planner.duration(), &problem, jerks};
+    if (!best_ || candidate.duration < best_->duration()) best_.emplace(std::move(planner));
+    return candidate;
   }
-  /// Pattern search about the tighter problem of the best plan: each quantity is raised and lowered by steps that
-  /// become smaller. What the best plan does not use of a limit hardly matters then.
-  void improve() {
+  /// Pattern search about the tighter problem of a plan: each quantity is raised and lowered by steps that become
+  /// smaller. Limits that the best plan does not use hardly matter then.
+  void improve(Candidate centre) {
     constexpr int rounds = 6;
     double step = 0.25;  // octaves
-    for (int round = 0; round < rounds; ++round, step /= 2) {
-      scope_.part(share_ + (1 - share_) * round / rounds, share_ + (1 - share_) * (round + 1) / rounds);
+    scope_.half_of_rest();
+    for (int round = 0; round < rounds; ++round, step /= 2)
       for (const TightenedQuantity quantity : tightened_quantities)
         for (const double octaves : {-step, step}) {
-          ProbeProblem problem = *tightest_;
-          if (!scale_quantity(problem, quantity, std::exp2(octaves), tighter_.front())) continue;
-          further_.push_back(std::move(problem));
-          if (!offer(further_.back(), jerks_)) further_.pop_back();
+          ProbeProblem problem = *centre.problem;
+          if (!scale_quantity(problem, quantity, std::exp2(octaves), problem_)) continue;
+          tighter_.push_back(std::move(problem));
+          if (const Candidate found = offer(tighter_.back(), centre.jerks); found.duration < centre.duration)
+            centre = found;
+          else
+            tighter_.pop_back();
         }
-    }
   }
 
+  ProbeProblem problem_;
   ProgressScope& scope_;
-  std::vector<ProbeProblem> tighter_;  // the first one is the problem itself
-  std::deque<ProbeProblem> further_;   // plans refer to them
+  std::deque<ProbeProblem> tighter_;  // plans refer to them
+  std::vector<Candidate> starts_;     // ordered by duration
   std::optional<SplinePlanner> best_;
-  const ProbeProblem* tightest_ = nullptr;  // that of the best plan
-  bool jerks_ = true;                       // of the best plan
 };
 
 }  // namespace

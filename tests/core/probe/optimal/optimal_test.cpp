@@ -84,15 +84,6 @@ TEST(Optimal, NoiseBelowThePointToleranceCostsNothing) {
   EXPECT_LT(optimal(p).duration(), 2 * M_PI * 6 / 20 + 0.22);
 }
 
-TEST(Optimal, TimeScaledWithItsLimitsGivesTheScaledDuration) {
-  const std::vector<Vec> points = {{0, 0}, {4, 1}, {6, 5}, {2, 7}};
-  const double k = 2;
-  const double slow = optimal(problem(points, 0.1, 2, 20, 200, 4000, 200000)).duration();
-  const double quick =
-      optimal(problem(points, 0.1, 2, 20 * k, 200 * k * k, 4000 * k * k * k, 200000 * k * k * k * k)).duration();
-  EXPECT_NEAR(slow, k * quick, 1e-9 * slow);
-}
-
 TEST(Optimal, RandomSetsAreRightNeverSlowerThanTheirStartAndNeverBelowTheBound) {
   Random random(5);
   for (int i = 0; i < bahnwerk::testing::cases(12); ++i) {
