@@ -10,8 +10,8 @@
 /// passed as one straight. Speeds that the exact geometry does not admit are lowered until it does, down to 0 if need
 /// be.
 ///
-/// The motion is never slower than plan_stops(). Cost: O(points), about 0.1 ms each, and ten times that for up to 100
-/// points, where tighter problems (core/probe/tighter.hpp) are planned, too.
+/// Motions for some twenty tighter problems (core/probe/tighter.hpp) are candidates, too, for up to 100 points. The
+/// motion is never slower than plan_stops(). Cost: O(points), about 0.1 ms each and problem.
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 

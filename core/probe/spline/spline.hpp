@@ -13,8 +13,10 @@
 /// a straight row the profile itself is taken. Between two rests the motion is never slower than with rests at every
 /// point, nor than without rests between, where a spline without them was found.
 ///
-/// Cost: O(points), some 50 µs each, and fifty times that for up to 300 points, where tighter problems
-/// (core/probe/tighter.hpp) are planned, too.
+/// Plans for tighter problems (core/probe/tighter.hpp) are candidates, too: some 40 of them for up to 300 points, and
+/// some hundred more of a pattern search for up to 100 points.
+///
+/// Cost: O(points), some 50 µs each and plan.
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
