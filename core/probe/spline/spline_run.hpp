@@ -48,9 +48,12 @@ class SplineRun {
   /// Computes the strains for the present times and ends, which become the best ones if they are quicker; returns
   /// whether all intervals are in the tube.
   bool look(std::vector<Strains>& strains, ProgressScope& progress);
+  /// Returns whether the present pieces lie in the tube; a quick look, which ends at the first one that does not.
+  bool in_tube(ProgressScope& progress) const;
   void search(ProgressScope& progress);
   bool finish(ProgressScope& progress);
   Strains strains(std::size_t i, double resolution) const;
+  double tube_strain(const Bezier& x, std::size_t i, double resolution, int depth) const;
   /// Lets factors spread along the path, so that speeds change slowly enough.
   void smooth(std::vector<double>& factor) const;
   void reduce(const std::vector<Strains>& strains);
