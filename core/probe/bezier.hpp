@@ -18,15 +18,15 @@ struct Bezier {
   std::size_t n = 1;  ///< control points: degree + 1
 };
 
-/// Over τ ∈ [0, duration] of Σ c_i τⁱ, n ≤ 8 coefficients.
+/// Returns the piece Σ c_i τⁱ over τ ∈ [0, duration], s; n ≤ 8 coefficients, mm/sⁱ.
 Bezier bezier(const Vec* coefficients, std::size_t n, double duration);
-/// The derivative with respect to τ; a piece of degree 0 has the derivative 0.
+/// Returns the derivative with respect to τ; a piece of degree 0 has the derivative 0.
 Bezier derivative(const Bezier& piece, double duration);
-/// Cut in the middle (de Casteljau).
+/// Cuts the piece in the middle (de Casteljau).
 void halve(const Bezier& piece, Bezier& left, Bezier& right);
 
-/// The largest value of a convex function of the piece's vector: never below the truth, above it by `resolution` of it
-/// at most. Values up to `floor` do not matter: floor is returned where nothing exceeds it.
+/// Returns the largest value of a convex function of the piece's vector: never less than the true one, and more than it
+/// by the fraction `resolution` at most. Returns `floor` where no value exceeds it.
 template <class Convex>
 double peak_of(const Bezier& piece, Convex&& f, double floor = 0, double resolution = 1e-9, int depth = 40) {
   double upper = 0;
@@ -40,14 +40,14 @@ double peak_of(const Bezier& piece, Convex&& f, double floor = 0, double resolut
   return peak_of(right, f, first, resolution, depth - 1);
 }
 
-/// max_k |x_k| / limit_k, with the axes' limits of acceleration, jerk or snap.
+/// The strain max_k |x_k| / limit_k of a vector under the axes' limits of acceleration, jerk or snap.
 struct Strain {
   Vec limit;
   double operator()(Vec x) const {
     return std::max({std::abs(x.x) / limit.x, std::abs(x.y) / limit.y, std::abs(x.z) / limit.z});
   }
 };
-/// Strains of acceleration, jerk, snap; an axis that is missing strains nothing.
+/// Returns the strains of acceleration, jerk and snap; an axis that the problem has not got counts as unlimited.
 std::array<Strain, 3> axis_strains(const ProbeProblem& problem);
 
 }  // namespace bahnwerk::probe

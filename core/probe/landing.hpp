@@ -1,11 +1,11 @@
 #pragma once
-/// What makes a piece of a motion end in a given state.
+/// Polynomials that a piece of a motion gains for it to end in a given state.
 #include <array>
 
 namespace bahnwerk::probe {
 
-/// Coefficients of τ⁴ … τ⁷ of the polynomial that vanishes with three derivatives at τ = 0 and has value x, first,
-/// second and third derivative v, a, j at τ = h > 0. `T`: a number or a vector.
+/// Returns the coefficients of τ⁴ … τ⁷ of the polynomial that vanishes with three derivatives at τ = 0 and has value x,
+/// first, second and third derivative v, a, j at τ = h > 0, s. `T` is a number or a vector.
 template <typename T>
 std::array<T, 4> landing(const T& x, const T& v, const T& a, const T& j, double h) {
   const T v1 = h * v, a1 = (h * h) * a, j1 = (h * h * h) * j;
@@ -16,7 +16,8 @@ std::array<T, 4> landing(const T& x, const T& v, const T& a, const T& j, double 
           (1 / (h4 * h * h * h)) * (-20 * x + 10 * v1 - 2 * a1 + (1.0 / 6) * j1)};
 }
 
-/// The same end but for the value, which comes out as that of least degree: the last coefficient is 0 and left out.
+/// Returns the coefficients of τ⁴ … τ⁶ of the polynomial of degree 6 with derivatives v, a, j at τ = h, whose value
+/// there is free.
 template <typename T>
 std::array<T, 3> landing(const T& v, const T& a, const T& j, double h) {
   const T v1 = h * v, a1 = (h * h) * a, j1 = (h * h * h) * j;

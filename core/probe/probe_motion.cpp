@@ -23,19 +23,27 @@ struct PlaceShift {
 
 /// Piece after piece, each from where rounding of the one before it leads. Over many pieces nothing adds up: landing
 /// pieces end with the derivatives with which the next one was planned to begin, and before an exact or a settling
-/// piece at its place, too. Returns where the last piece ends; `longest` takes the longest landing piece.
+/// piece at its place, too; what a settling piece leaves open there shifts the exact pieces behind it. Returns where
+/// the last piece ends; `longest` takes the longest landing piece.
 double carry(std::vector<SplineMotion::Piece>& pieces, const std::vector<PieceJoint>& joints, std::size_t axis,
              const PlaceShift& change, PlaceShift& longest) {
   std::array<double, 4> reached{};
   double begin = 0;
+  // The distance of exact pieces from where they were planned: they begin where the settling piece before them ends. It
+  // is taken up by the next landing.
+  double offset = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Polynomial& p = pieces[i].axes[axis];
     const double duration = pieces[i].end - begin;
     begin = pieces[i].end;
     if (joints[i] == PieceJoint::exact) {
+      if (i > 0 && joints[i - 1] == PieceJoint::settling) offset = reached[0] - p[0];
+      p[0] += offset;
       reached = state_at(p, duration);
       continue;
     }
+    if (i > 0 && joints[i - 1] == PieceJoint::exact) p[0] += offset;
+    offset = 0;
     if (i > 0 && joints[i - 1] != PieceJoint::carried &&
         std::all_of(p.begin() + 1, p.end(), [](double c) { return c == 0; })) {
       // The axis stands still: what rounding left of the movement before would become smaller from piece to piece,

@@ -14,8 +14,8 @@
 
 namespace bahnwerk {
 
-/// What the head does for a while. `rest`: it stands still at a point for a moment (begin = end). `interval`: it goes
-/// from one point to the next one, with nothing to say of parts of it.
+/// What the head does in a phase. `rest`: it stands still at a point for a moment (begin = end). `interval`: it goes
+/// from one point to the next one in a single phase.
 enum class ProbePhaseKind { accelerate, hold, brake, turn, rest, interval };
 inline constexpr Named<ProbePhaseKind> probe_phase_kinds[] = {{ProbePhaseKind::accelerate, "accelerate"},
                                                               {ProbePhaseKind::hold, "hold"},
@@ -27,39 +27,39 @@ inline constexpr Named<ProbePhaseKind> probe_phase_kinds[] = {{ProbePhaseKind::a
 struct ProbePhase {
   ProbePhaseKind kind = ProbePhaseKind::interval;
   double begin = 0, end = 0;  ///< s
-  std::size_t point = 0;      ///< in ProbeProblem::points: that of a turn or rest, else that which was passed before
+  std::size_t point = 0;      ///< in ProbeProblem::points: where it turns or rests, else the point passed before
 };
 
-/// What becomes of a piece where times are rounded another way than they were planned with.
+/// What a piece becomes in a motion whose times are rounded differently from the planned ones.
 enum class PieceJoint : char {
-  exact,     ///< it stays what it is: acceleration and jerk are 0 at both ends, or nearly so
-  carried,   ///< it begins in the state in which the one before ends
-  landing,   ///< that, too, and it takes up what rounding has left open at its end (core/probe/landing.hpp)
-  settling,  ///< that, too, but for its position: it is short and ends at rest
+  exact,     ///< the piece stays as it is: acceleration and jerk are (nearly) 0 at both ends
+  carried,   ///< the piece begins in the state in which the one before ends
+  landing,   ///< carried; it ends in the planned state by a polynomial of its own (core/probe/landing.hpp)
+  settling,  ///< landing, with a free position at its end: it is short and ends at rest
 };
 
 struct ProbeMotion {
   std::shared_ptr<const SplineMotion> motion;  ///< as many axes as the problem has
   std::vector<double> times;  ///< s, per point of ProbeProblem::points, ascending, first 0, last duration
-  /// s, per piece, as planned: the ends of pieces are their sums, rounded. Empty: differences of ends. Slowed motions
-  /// are made from them, as times would otherwise be rounded once more than the verifier grants.
+  /// s, per piece, as planned: the ends of pieces are their rounded sums. Empty: differences of ends. slowed() starts
+  /// from them; differences of ends would be rounded once more than the verifier grants.
   std::vector<double> durations;
-  std::vector<PieceJoint> joints;  ///< per piece; empty: all exact
-  /// Where the motion has to end, where positions are carried all the way: what rounding makes of minutes at full speed
-  /// is taken out in the longest piece.
+  std::vector<PieceJoint> joints;  ///< per piece; empty stands for exact ones
+  /// The place at which a motion with carried positions has to end: the longest piece takes out what rounding adds up
+  /// to in minutes at full speed.
   std::optional<Vec> end;
   std::vector<ProbePhase> phases;  ///< in order of time
   double duration() const { return motion->duration(); }
 };
 
-/// Value and first three derivatives of a polynomial, rounded as SplineMotion rounds them.
+/// Returns value and first three derivatives of a polynomial at t, s, rounded as SplineMotion rounds them.
 std::array<double, 4> state_at(const Polynomial& p, double t);
 
-/// Sets coefficients below 1e-200 to 0: an axis that stands still may be left with numbers so small that they lose
-/// digits, and then it ends nearly at rest.
+/// Sets coefficients below 1e-200 to 0. An axis that stands still may have coefficients so small that they lose digits;
+/// it would then end nearly at rest instead of at rest.
 void drop_vanishing(Polynomial& p);
 
-/// A sum of times that is rounded only where it is read.
+/// A sum of times in two numbers (Kahan and Babuška), which is rounded only where it is read.
 class TimeSum {
  public:
   void add(double duration) {
@@ -73,8 +73,9 @@ class TimeSum {
   double high_ = 0, low_ = 0;
 };
 
-/// The same path `factor` (> 0) times as slow: times by it, coefficient i divided by factorⁱ. Derivative r of every
-/// axis is divided by factorʳ. `duration` is what the slowed motion ends at, exactly; factor · duration by default.
+/// Returns the motion on its path, `factor` > 0 times as slow: times are multiplied by factor, coefficient i is divided
+/// by factorⁱ, hence derivative r of every axis by factorʳ. The slowed motion ends at `duration` exactly, s; without it
+/// at factor · motion.duration().
 ProbeMotion slowed(const ProbeMotion& motion, double factor);
 ProbeMotion slowed(const ProbeMotion& motion, double factor, double duration, ProgressScope* progress = nullptr);
 

@@ -27,24 +27,25 @@ struct ProbeProblem {
   /// Axes x, y (and z) with acceleration, jerk and snap, all positive and finite, velocity unlimited; the cycle time.
   Machine machine;
   ProbeObjective objective = ProbeObjective::time;
-  double stretch = 1.25;  ///< of `ripple`: how many times the shortest duration it may take
+  double stretch = 1.25;  ///< objective `ripple`: longest duration relative to the shortest one, ≥ 1
 
   std::size_t dimension() const { return machine.axes.size(); }  ///< 2 or 3
   std::size_t edges() const { return points.size() - 1; }
   const AxisLimits& axis(std::size_t k) const { return machine.axes[k]; }
 };
 
-/// Sets `points` and `point_of` from `given` and `point_tolerance`: consecutive points closer than that are one point,
-/// which stands where the first of them does, but for the last point of all, which stays where it is. A group holds
-/// only points within the tolerance of where it stands, so that a row of dense points does not shrink to one. Throws
-/// InvalidInput, at "points", where fewer than two points are left. O(points).
+/// Sets `points` and `point_of` from `given` and `point_tolerance`. Consecutive points closer than the tolerance become
+/// one point, at the place of the first of them; the group of the very last point is at the place of that point. A
+/// group holds only points within the tolerance of its place, so that a row of dense points does not shrink to one.
+/// Throws InvalidInput at "points" if fewer than two points are left. O(points).
 void merge_points(ProbeProblem& problem);
 
-/// Of a point from the segment from a to b, mm; a = b is a point. Accurate to a few roundings of the coordinates
-/// relative to a.
+/// Returns the distance of a point from the segment from a to b, mm; a = b is a point. Accurate to a few roundings of
+/// coordinates relative to a.
 double distance_from_edge(Vec point, Vec a, Vec b);
 
-/// What rounding may make of a distance between such coordinates, mm: 16 ε of the largest.
+/// Returns a bound on the rounding error of a distance between the problem's points, mm: 16 ε of the largest
+/// coordinate.
 double coordinate_rounding(const ProbeProblem& problem);
 
 }  // namespace bahnwerk

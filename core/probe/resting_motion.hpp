@@ -1,5 +1,5 @@
 #pragma once
-/// A spline whose end is known: rest at the last point, without the rounding of its last piece.
+/// A spline that ends exactly at rest at the last point, without the rounding of its last piece.
 #include <memory>
 #include <utility>
 
@@ -20,7 +20,7 @@ class RestingMotion final : public Motion {
   bool polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const override {
     return motion_->polynomial(piece, axis, out);
   }
-  /// At the end, all derivatives 0.
+  /// Returns the last point, with all derivatives 0.
   MotionState final_state() const override {
     MotionState state;
     for (std::size_t k = 0; k < axes(); ++k) state.position[k] = end_[k];

@@ -18,6 +18,14 @@ double unreachable_along(const ProbeProblem& problem, double length) {
   return std::min({std::sqrt(a * length), std::cbrt(j * length * length), std::sqrt(std::sqrt(s * length) * length)});
 }
 
+constexpr std::size_t few = 100, many = 300;  // points: more problems up to there; none from there on
+
+/// The first of the shares of `most`, 2^(−i/n), that is below `value`.
+int steps_below(double value, double most, int n) {
+  return static_cast<int>(std::floor(n * std::log2(std::max(1.0, most / value)))) + 1;
+}
+double share(int i, int n) { return std::exp2(-static_cast<double>(i) / n); }
+
 double polyline_length(const ProbeProblem& problem) {
   double length = 0;
   for (std::size_t i = 0; i < problem.edges(); ++i) length += norm(problem.points[i + 1] - problem.points[i]);
@@ -31,44 +39,46 @@ double unreachable_speed(const ProbeProblem& problem) {
   return unreachable_along(problem, polyline_length(problem) + around);
 }
 
-std::vector<ProbeProblem> with_tighter(const ProbeProblem& problem) {
-  constexpr std::size_t many = 300;  // points: from here on a search is not worth its time
-  const bool few = problem.points.size() <= 100;
-  std::vector<ProbeProblem> list{problem};
-  const double speed = std::min(problem.speed, unreachable_speed(problem));
-  const double highest = unreachable_along(problem, polyline_length(problem));
-  list[0].speed = speed;
+ProbeProblem with_reachable_speed(ProbeProblem problem) {
+  problem.speed = std::min(problem.speed, unreachable_speed(problem));
+  return problem;
+}
+
+std::vector<ProbeProblem> slower_problems(const ProbeProblem& problem, double duration) {
+  std::vector<ProbeProblem> list;
   if (problem.points.size() > many) return list;
-  struct Shares {
-    double acceleration = 1, jerk = 1, snap = 1;
+  const auto add = [&](double speed) {
+    list.push_back(problem);
+    list.back().speed = speed;
   };
-  const auto add = [&](double v, double tolerance, Shares of) {
-    ProbeProblem p = problem;
-    p.speed = v, p.tolerance = tolerance;
-    for (AxisLimits& axis : p.machine.axes)
-      axis.acceleration *= of.acceleration, axis.jerk *= of.jerk, axis.snap *= of.snap;
-    list.push_back(std::move(p));
-  };
-  const double tolerance = problem.tolerance;
-  add(0.95 * speed, tolerance, {});
-  add(0.85 * speed, tolerance, {});
-  const int per_octave = few ? 3 : 2, lower = few ? 9 : 4;
-  // Shares 2^(−i/n) of `most`, the largest ones below `value`.
-  const auto steps_below = [](double value, double most, int n) {
-    return static_cast<int>(std::floor(n * std::log2(std::max(1.0, most / value)))) + 1;
-  };
-  const auto share = [](int i, int n) { return std::exp2(-static_cast<double>(i) / n); };
-  const int first = steps_below(speed, highest, per_octave);
-  for (int i = first; i < first + lower; ++i) add(highest * share(i, per_octave), tolerance, {});
-  if (tolerance > 0) {
+  add(0.95 * problem.speed);
+  add(0.85 * problem.speed);
+  const double length = polyline_length(problem), highest = unreachable_along(problem, length);
+  // At a lower speed than this no motion through the points is quicker.
+  const double lowest = length / duration;
+  const int per_octave = problem.points.size() <= few ? 3 : 2;
+  for (int i = steps_below(problem.speed, highest, per_octave); highest * share(i, per_octave) > lowest; ++i)
+    add(highest * share(i, per_octave));
+  return list;
+}
+
+std::vector<ProbeProblem> weaker_problems(const ProbeProblem& problem) {
+  std::vector<ProbeProblem> list;
+  if (problem.points.size() > many) return list;
+  if (problem.tolerance > 0) {
     const double length = polyline_length(problem);
-    const int widest = steps_below(tolerance, length, 2);
-    for (int i = widest; i < widest + (few ? 4 : 2); ++i) add(speed, length * share(i, 2), {});
+    const int widest = steps_below(problem.tolerance, length, 2), count = problem.points.size() <= few ? 4 : 2;
+    for (int i = widest; i < widest + count; ++i) {
+      list.push_back(problem);
+      list.back().tolerance = length * share(i, 2);
+    }
   }
   constexpr double less = 0.8;
-  add(speed, tolerance, {less, 1, 1});
-  add(speed, tolerance, {1, less, 1});
-  add(speed, tolerance, {1, 1, less});
+  for (const TightenedQuantity quantity :
+       {TightenedQuantity::acceleration, TightenedQuantity::jerk, TightenedQuantity::snap}) {
+    list.push_back(problem);
+    scale_quantity(list.back(), quantity, less, problem);
+  }
   // Every axis as the weakest one: what a stronger one adds changes nothing.
   AxisLimits weakest = problem.axis(0);
   for (const AxisLimits& axis : problem.machine.axes) {
@@ -76,10 +86,37 @@ std::vector<ProbeProblem> with_tighter(const ProbeProblem& problem) {
     weakest.jerk = std::min(weakest.jerk, axis.jerk);
     weakest.snap = std::min(weakest.snap, axis.snap);
   }
-  add(speed, tolerance, {});
+  list.push_back(problem);
   for (AxisLimits& axis : list.back().machine.axes)
     axis.acceleration = weakest.acceleration, axis.jerk = weakest.jerk, axis.snap = weakest.snap;
   return list;
+}
+
+bool scale_quantity(ProbeProblem& problem, TightenedQuantity quantity, double factor, const ProbeProblem& given) {
+  bool changed = false;
+  const auto scale = [&](double& value, double most) {
+    const double scaled = std::min(most, factor * value);
+    changed = changed || scaled != value;
+    value = scaled;
+  };
+  switch (quantity) {
+    case TightenedQuantity::speed:
+      scale(problem.speed, given.speed);
+      return changed;
+    case TightenedQuantity::tolerance:
+      scale(problem.tolerance, given.tolerance);
+      return changed;
+    default:
+      break;
+  }
+  for (std::size_t k = 0; k < problem.dimension(); ++k) {
+    AxisLimits& axis = problem.machine.axes[k];
+    const AxisLimits& most = given.axis(k);
+    if (quantity == TightenedQuantity::acceleration) scale(axis.acceleration, most.acceleration);
+    if (quantity == TightenedQuantity::jerk) scale(axis.jerk, most.jerk);
+    if (quantity == TightenedQuantity::snap) scale(axis.snap, most.snap);
+  }
+  return changed;
 }
 
 }  // namespace bahnwerk::probe

@@ -50,7 +50,8 @@ ProbeMotion within_limits(const ProbeProblem& problem, ProbeMotion motion, Progr
                                    other * needed_slowing(problem, again, 1 / other, progress)) -
                           1;
     if (excess <= negligible) break;
-    factor *= 1 + 3 * excess;
+    // A power of two: problems that differ by the scale of time alone are slowed by the same factor.
+    factor *= 1 + std::exp2(std::ceil(std::log2(1.5 * excess)));
     motion = slowed(planned, factor);
   }
   return motion;

@@ -6,8 +6,8 @@
 
 #include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
-#include "core/probe/arcs/arcs.hpp"
 #include "core/probe/optimal/optimal.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "core/verify/probe/probe_bound.hpp"
 
 namespace bahnwerk {

@@ -8,10 +8,10 @@ namespace bahnwerk {
 
 class Progress;
 
-/// The path with its tube and points: plan (x, y), and elevation (x, z) of a path in space. To scale.
+/// Returns the path with its tube and points to scale: plan (x, y) and, in space, elevation (x, z).
 std::string probe_path_drawing(const ProbePlan& plan);
 
-/// Over time: deviation from the edge, speed, and acceleration, jerk and snap of every axis, with their limits dashed.
+/// Returns deviation from the edge, speed, and acceleration, jerk and snap of every axis over time, with limits dashed.
 std::string probe_motion_drawing(const ProbePlan& plan, Progress& progress);
 
 }  // namespace bahnwerk

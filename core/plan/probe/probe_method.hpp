@@ -1,5 +1,5 @@
 #pragma once
-/// The methods of kind `probe_path`, one row each, and the bound that all are held to.
+/// The methods of kind `probe_path`, and the bound with which they are compared.
 #include "core/base/verification.hpp"
 #include "core/plan/probe/probe_plan.hpp"
 
@@ -7,11 +7,11 @@ namespace bahnwerk {
 
 class Progress;
 
-/// The motion of the request's method. Reports progress up to 0.7.
+/// Returns the motion of the request's method. Reports progress up to 0.7.
 ProbeMotion probe_motion(const ProbeRequest& request, Progress& progress);
 
-/// The proven bound on the duration: for more than 1000 points and methods other than optimal the quick one. Reports
-/// progress between `from` and `to`.
+/// Returns the proven bound on the duration: for more than 1000 points and methods other than optimal the quick one.
+/// Reports progress between `from` and `to`.
 Bound probe_bound_of(const ProbeRequest& request, Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

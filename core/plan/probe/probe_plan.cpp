@@ -6,8 +6,8 @@
 #include "core/plan/pipeline.hpp"
 #include "core/plan/probe/probe_method.hpp"
 #include "core/plan/probe/probe_setpoints.hpp"
-#include "core/probe/arcs/arcs.hpp"
 #include "core/probe/resting_motion.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "core/verify/probe/probe_setpoint_checks.hpp"
 #include "core/verify/setpoints/motion_setpoint_checks.hpp"
 

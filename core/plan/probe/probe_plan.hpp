@@ -29,16 +29,16 @@ struct ProbeRequest {
 struct ProbePlan {
   std::shared_ptr<const ProbeProblem> problem;
   double duration = 0;  ///< s, as planned
-  double stops = 0;     ///< s: what rests at every point, but for those in a row, would take
+  double stops = 0;     ///< s: duration with rests at every point but for those in a row
   Cycles cycles;
   ProbeMotion motion;    ///< slowed to whole cycles: what is verified and sampled
-  ProbeFigures figures;  ///< of that
+  ProbeFigures figures;  ///< of `motion`
   Verification verification;
   Bound bound;
   std::unique_ptr<SetpointSource> setpoints;
 };
 
-/// Throws InvalidInput for a motion of more than max_setpoints setpoints, and what progress throws.
+/// Plans the request. Throws InvalidInput for a motion of more than max_setpoints setpoints, and what progress throws.
 ProbePlan plan_probe(const ProbeRequest& request, Progress& progress);
 
 }  // namespace bahnwerk

@@ -9,8 +9,8 @@
 
 namespace bahnwerk {
 
-/// Columns of MotionSetpoints, then j<axis> of every axis (mm/s³), `deviation` (mm): the distance from the edge that is
-/// being passed, and `v` (mm/s): the speed.
+/// Setpoints with the columns of MotionSetpoints, then j<axis> of every axis (mm/s³), `deviation` (mm), the distance
+/// from the edge that is being passed, and `v` (mm/s), the speed.
 class ProbeSetpoints final : public MotionSetpoints {
  public:
   /// `motion` lasts `cycles` whole cycles.

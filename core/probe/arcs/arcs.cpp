@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
 #include "core/probe/arcs/speed_choice.hpp"
 #include "core/probe/arcs/turn_path.hpp"
+#include "core/probe/lasting_phases.hpp"
 #include "core/probe/straight/straight.hpp"
 #include "core/probe/tighter.hpp"
 
@@ -134,38 +136,40 @@ class ArcSearch {
   double shortest_ = 0;
 };
 
+/// The quickest path that is found for the problem and for tighter ones. Progress covers the scope's part [begin, 1].
+ProbeMotion search_arcs(const ProbeProblem& problem, double begin, ProgressScope& scope) {
+  const ProbeProblem reachable = with_reachable_speed(problem);
+  ArcSearch search(reachable);
+  if (search.single()) return search.best().write(scope);
+  // Each further problem costs as much as the first one, which is seconds for some hundred points.
+  constexpr std::size_t many = 100;
+  constexpr double first = 0.1;  // of the progress
+  const auto part = [&](double from, double to) { scope.part(begin + (1 - begin) * from, begin + (1 - begin) * to); };
+  const bool further = problem.points.size() <= many;
+  part(0, further ? first : 1);
+  search.search(scope);
+  if (!further) return search.best().write(scope);
+  search.polish(scope);
+  std::vector<ProbeProblem> problems = slower_problems(reachable, search.duration());
+  for (ProbeProblem& weaker : weaker_problems(reachable)) problems.push_back(std::move(weaker));
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const auto n = static_cast<double>(problems.size()), at = static_cast<double>(i);
+    part(first + (1 - first) * at / n, first + (1 - first) * (at + 1) / n);
+    ArcSearch tighter(problems[i]);
+    tighter.search(scope);
+    search.adopt(tighter.best(), scope);
+  }
+  return search.best().write(scope);
+}
+
 }  // namespace
-
-ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress) {
-  ProgressScope scope(progress, "stops", 0, 1);
-  return TurnPath(problem, all_rests(problem, straight_rows(problem))).write(scope);
-}
-
-double stops_duration(const ProbeProblem& problem) {
-  return TurnPath(problem, all_rests(problem, straight_rows(problem))).duration();
-}
 
 ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "arcs", progress_from, progress_to);
   scope.report();
-  const std::vector<ProbeProblem> problems = with_tighter(problem);  // the first one is the problem itself
-  ArcSearch search(problems.front());
-  // Each further problem costs as much as the first one, which is seconds for some hundred points.
-  constexpr std::size_t many = 100;
-  const std::size_t tried = problem.points.size() <= many ? problems.size() : 1;
-  for (std::size_t i = 0; i < tried && !search.single(); ++i) {
-    const auto n = static_cast<double>(tried), at = static_cast<double>(i);
-    scope.part(at / n, (at + 1) / n);
-    if (i == 0) {
-      search.search(scope);
-      if (tried > 1) search.polish(scope);
-    } else {
-      ArcSearch tighter(problems[i]);
-      tighter.search(scope);
-      search.adopt(tighter.best(), scope);
-    }
-  }
-  return search.best().write(scope);
+  return with_lasting_phases(
+      problem, search_arcs(problem, 0, scope), [&](const ProbeProblem& eased) { return search_arcs(eased, 1, scope); },
+      scope);
 }
 
 }  // namespace bahnwerk

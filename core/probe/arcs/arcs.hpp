@@ -1,15 +1,17 @@
 #pragma once
-/// Method `arcs` [Thielemann, "1. Ansatz: Mathematik"]: straights with turns around the points, put right.
+/// Method `arcs` [Thielemann, "1. Ansatz: Mathematik"]: straights with turns around the points, corrected.
 ///
 /// Turns (core/probe/arcs/turn.hpp) have their tangents meet at apexes C_i = P_i − M_i (d_i − d_(i−1)), so the
 /// directions of the straights are the fixed point d_i ∥ C_(i+1) − C_i, in any dimension; the head rests at a point
 /// where the turn's speed is 0. Between turns the speed follows the 15-phase profile. Which speeds are best depends on
 /// the speeds next to them: largest speeds may lose to stopping, and dense points may leave no room for turns. Dynamic
 /// programming over a few speeds per point, 0 among them, chooses them for given directions; then directions are solved
-/// for these speeds, and so on with closer speeds. Points in a row (straight_rows()) between rests are passed as one
-/// straight. Speeds that the exact geometry does not admit are lowered until it does, down to 0 if need be.
+/// for these speeds, and both steps repeat with closer speeds. Points in a row (straight_rows()) between rests are
+/// passed as one straight. Speeds that the exact geometry does not admit are lowered until it does, down to 0 if need
+/// be.
 ///
-/// Never slower than resting at every point, row of points by row. Cost: O(points), about 0.1 ms each.
+/// Motions for some twenty tighter problems (core/probe/tighter.hpp) are candidates, too, for up to 100 points. The
+/// motion is never slower than plan_stops(). Cost: O(points), about 0.1 ms each and problem.
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
@@ -17,11 +19,8 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Throws what progress throws.
+/// Plans the motion; reports progress from `progress_from` to `progress_to`. Throws what progress throws.
 ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from = 0,
                       double progress_to = 1);
-/// Rest at every point but for those in a row, and how long that takes, s.
-ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress);
-double stops_duration(const ProbeProblem& problem);
 
 }  // namespace bahnwerk

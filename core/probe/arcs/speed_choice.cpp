@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/bisection.hpp"
 #include "core/probe/straight/straight.hpp"
 
 namespace bahnwerk::probe {
 namespace {
 constexpr double length_rounding = 1e-9;  // of an edge: room for what directions leave
-}
+constexpr int speed_steps = 50;           // of bisection for a speed: to 1e-15 of the interval
+}  // namespace
 
 SpeedChoice::SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end)
     : problem_(problem), row_end_(row_end), rounding_(coordinate_rounding(problem)) {}
@@ -26,12 +28,7 @@ double SpeedChoice::largest_speed(std::size_t i, const Turn& turn, Vec in, Vec o
            distance_from_edge(apex + size.length * out, point, after) <= allowed;
   };
   if (fits(problem_.speed)) return problem_.speed;
-  double low = 0, high = problem_.speed;
-  for (int step = 0; step < 60 && high - low > 1e-13 * high; ++step) {
-    const double middle = (low + high) / 2;
-    (fits(middle) ? low : high) = middle;
-  }
-  return low;
+  return bisect(0, problem_.speed, 0, speed_steps, fits).low;
 }
 
 void SpeedChoice::lower_to_reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions, bool backwards,
@@ -55,12 +52,8 @@ void SpeedChoice::lower_to_reachable(const std::vector<Turn>& turns, const std::
         break;
       }
       // The acceleration alone is exceeded beyond.
-      double low = 0, high = std::min(speed[i], std::sqrt(from * from + 2 * limits.acceleration * length));
-      for (int step = 0; step < 60 && high - low > 1e-13 * high; ++step) {
-        const double middle = (low + high) / 2;
-        (fits(middle) ? low : high) = middle;
-      }
-      reached = std::max(reached, low);
+      const double high = std::min(speed[i], std::sqrt(from * from + 2 * limits.acceleration * length));
+      reached = std::max(reached, bisect(0, high, 0, speed_steps, fits).low);
     }
     speed[i] = reached;
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// A turn at a point [Thielemann, "Durchfahren der Stützstellen", put right]. At constant speed along the tightest arc
+/// A turn at a point [Thielemann, "Durchfahren der Stützstellen", corrected]. At constant speed along the tightest arc
 /// the acceleration would jump where the arc begins; here the velocity goes from v d_in to v d_out by
 ///
 ///     v(t) = v [d_in + (d_out − d_in) σ(t)],
@@ -24,17 +24,17 @@ struct TurnSize {
 
 class Turn {
  public:
-  /// Unit vectors. Directions that are one but for rounding make no turn: T = 0.
+  /// The turn from direction `in` to `out`, unit vectors. Directions that differ by rounding alone make no turn: T = 0.
   Turn(const ProbeProblem& problem, Vec in, Vec out);
 
   bool any() const { return !(change_ == Vec{}); }  ///< whether directions change
-  TurnSize size(double speed) const;
-  /// C, for a turn at `point`.
+  TurnSize size(double speed) const;                ///< at `speed`, mm/s
+  /// Returns the apex C of a turn at `point`.
   Vec apex(Vec point, const TurnSize& size) const { return point - size.moment * change_; }
-  /// The largest distances of its halves from the edges from `before` to `point` and from `point` to `after`; no more
-  /// than `enough` if it is below that.
+  /// Returns the largest distance, mm, of the first half from the edge from `before` to `point` and of the second one
+  /// from the edge from `point` to `after`, enclosed to 1e-6; `enough` if that is larger.
   double deviation(double speed, Vec before, Vec point, Vec after, double enough) const;
-  /// Appends the turn at `point`, which it passes, as the problem's point of that number.
+  /// Appends the turn, which passes `point`, the problem's point of that number.
   void append(MotionWriter& writer, double speed, Vec point, std::size_t number) const;
 
  private:

@@ -165,8 +165,7 @@ ProbeMotion TurnPath::write(ProgressScope& progress) const {
     if (turns(i)) {
       turn(i).append(writer, speeds_.speed[i], point(i), number);
     } else if (i > 0) {
-      writer.pass(writer.time());
-      writer.phase(ProbePhaseKind::rest, writer.time(), writer.time(), number);
+      writer.rest(number);
     }
     if (!turns(i) && !turns(i + 1)) {
       append_rest_to_rest(writer, *problem_, number, speeds_.node[i + 1]);

@@ -1,5 +1,5 @@
 #pragma once
-/// Straights and turns of given speeds: the directions that belong together, what fits, how long it takes.
+/// Straights and turns of given speeds: their directions as a fixed point, speeds that fit, duration and motion.
 #include <cstddef>
 #include <vector>
 
@@ -9,9 +9,10 @@
 
 namespace bahnwerk::probe {
 
-/// The points that count, the others lie on a straight between two rests, and the speed at each: 0 is a rest.
+/// The nodes of a path and the speed at each, 0 for a rest. Points that are no nodes lie on a straight between two
+/// rests.
 struct TurnSpeeds {
-  std::vector<std::size_t> node;  ///< ascending, the first and the last point among them
+  std::vector<std::size_t> node;  ///< points, ascending; the first and the last point are among them
   std::vector<double> speed;      ///< mm/s, per node; 0 at both ends
 };
 
@@ -21,20 +22,20 @@ class TurnPath {
 
   std::size_t nodes() const { return speeds_.node.size(); }
   const TurnSpeeds& speeds() const { return speeds_; }
-  /// Of the straight behind node i, a unit vector.
+  /// Returns the direction of the straight from node i to the next one, a unit vector.
   Vec direction(std::size_t i) const { return direction_[i]; }
 
-  /// Directions from those at hand, or those of another path of the same nodes.
+  /// Replaces the directions by those of another path with the same nodes.
   void start_from(const std::vector<Vec>& direction) { direction_ = direction; }
   const std::vector<Vec>& directions() const { return direction_; }
-  /// Iterates the fixed point of directions until they move by less than `close`; 100 times at most.
+  /// Iterates the fixed point of the directions until they move by less than `close`; 100 times at most.
   void solve(double close, ProgressScope& progress);
   /// Lowers speeds until every turn is in the tube and every straight is as long as its change of speed needs.
   void repair(ProgressScope& progress);
-  /// Between two rests: rests at every point but for those in a row (`row_end` as straight_rows() has it) where that
-  /// takes less time.
+  /// Replaces what is between two rests by rests at every point but for those in a row, wherever that takes less time.
+  /// `row_end` is that of straight_rows().
   void prefer_rests(const std::vector<std::size_t>& row_end);
-  double duration() const;
+  double duration() const;  ///< s
   ProbeMotion write(ProgressScope& progress) const;
 
  private:

@@ -9,20 +9,21 @@
 namespace bahnwerk {
 
 /// The rows are the Bézier points of the motion and of its derivatives over the cell's own time u ∈ [0, 1], piece by
-/// piece. By the convex-hull property, what holds for the points of a row's order holds for the motion at all times.
+/// piece. By the convex-hull property (Farouki 2012) a convex constraint that the rows of an order keep holds at all
+/// times.
 struct CellBasis {
   static constexpr std::size_t pieces = 4;
   /// Rows of order 0 … 4: positions 4·4 + 1, velocities 4·3 + 1, accelerations 4·2 + 1, jerks 4 + 1, snaps 4.
   static constexpr std::array<std::size_t, 6> first = {0, 17, 30, 39, 44, 48};
   static constexpr std::size_t rows = 48;
-  /// rows × (x, v, a, j at the begin; x, v, a, j at the end), derivatives with respect to u.
+  /// Factors of x, v, a, j at the begin and x, v, a, j at the end (derivatives with respect to u), per row.
   double row[rows][8];
   int order[rows];
   /// The columns of a row that are not 0 lie in [from, to): points near an end depend on that end alone.
   int from[rows], to[rows];
 };
 
-/// Computed once, thread-safe.
+/// Returns the basis, which is computed once; thread-safe.
 const CellBasis& cell_basis();
 
 }  // namespace bahnwerk

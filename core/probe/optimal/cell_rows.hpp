@@ -8,7 +8,7 @@
 
 namespace bahnwerk {
 
-/// A segment p + s u, 0 ≤ s ≤ length, |u| = 1 (u = 0 where length = 0), and the square of the radius around it.
+/// A segment p + s u, 0 ≤ s ≤ length (mm), |u| = 1 (u = 0 where length = 0), and the square of the radius around it.
 template <int D>
 struct Capsule {
   std::array<double, D> p, u;
@@ -25,7 +25,7 @@ Capsule<D> capsule(const std::array<double, D>& from, const std::array<double, D
   return c;
 }
 
-/// From the nearest point of the segment to q; `cap`: that point is an end.
+/// Returns the vector from the nearest point of the segment to q; sets `cap`: that point is an end.
 template <int D>
 inline std::array<double, D> offset(const Capsule<D>& c, const double* q, bool& cap) {
   double along = 0;
@@ -37,7 +37,8 @@ inline std::array<double, D> offset(const Capsule<D>& c, const double* q, bool& 
   return d;
 }
 
-/// Slacks of a cell: 17 of the tube, 13 of the speed, then upper and lower ones of 18 rows and D axes, 1 of duration.
+/// The number of slacks of a cell: 17 for the tube, 13 for the speed, upper and lower ones for 18 rows and D axes, and
+/// 1 for the duration.
 template <int D>
 inline constexpr std::size_t cell_slacks = 30 + 36 * D + 1;
 

@@ -13,7 +13,7 @@ struct ChainNode {
   std::array<std::array<double, D>, 4> state{};
   int point = -1;      ///< which point is passed here, or −1
   bool still = false;  ///< velocity 0 is given: where the head turns back without a tube
-  bool given = false;  ///< the whole state is given: begin and end, rest or what a window goes on from
+  bool given = false;  ///< the whole state is given: at both ends, and where a window begins
 };
 
 struct ChainCell {
@@ -37,10 +37,10 @@ struct CellChain {
 template <int D>
 struct ChainLimits {
   std::vector<std::array<double, D>> points;
-  double tolerance = 0;      ///< radius of the capsules around the edges, mm; 0: not looked at
-  std::vector<double> ball;  ///< per point the radius around it that is passed, mm; 0: passed exactly
+  double tolerance = 0;      ///< radius of the capsules around the edges, mm; 0: unlimited
+  std::vector<double> ball;  ///< per point the radius of the ball that is passed, mm; 0: the point itself is passed
   double speed = 0;          ///< Euclidean, mm/s
-  std::array<std::array<double, D>, 3> derivative{};  ///< limits of acceleration, jerk, snap of every axis
+  std::array<std::array<double, D>, 3> derivative{};  ///< limits of acceleration, jerk, snap of every axis, mm/s² …
 };
 
 }  // namespace bahnwerk

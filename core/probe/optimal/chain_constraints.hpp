@@ -1,7 +1,7 @@
 #pragma once
-/// What a chain of cells has to keep, as slacks that are positive: every Bézier point of the position in its edge's
-/// capsule, those of the velocity of norm ≤ speed, those of acceleration, jerk and snap within the limits of their
-/// axis, points passed within their balls, no cell shorter than asked.
+/// The constraints of a chain of cells as slacks that are positive where they hold: Bézier points of the position lie
+/// in their edge's capsule, those of the velocity have norm ≤ speed, those of acceleration, jerk and snap keep the
+/// limits of their axis, points are passed within their balls, no cell is shorter than a given duration.
 #include <cmath>
 #include <vector>
 
@@ -10,11 +10,11 @@
 
 namespace bahnwerk {
 
-/// Slacks, or multipliers, or changes of slacks: per cell as cell_slacks<D> has them, and one per node of its ball.
+/// Slacks, multipliers, or changes of slacks: cell_slacks<D> per cell, and one per node for its ball.
 template <int D>
 struct ChainSlacks {
   using Cell = std::array<double, cell_slacks<D>>;
-  static constexpr double unlimited_slack = 1e300;  ///< a slack that is not looked at
+  static constexpr double unlimited_slack = 1e300;  ///< marks the slack of a constraint that does not exist
 
   explicit ChainSlacks(std::size_t cells, double ball_value = 0) : cell(cells), ball(cells + 1, ball_value) {}
   std::vector<Cell> cell;
@@ -27,18 +27,18 @@ class ChainConstraints {
   using Slacks = ChainSlacks<D>;
   static constexpr double no_limit = Slacks::unlimited_slack;
 
-  /// `shortest`: of a cell, s; 0: not looked at.
+  /// `shortest` is the least duration of a cell, s; 0: unlimited.
   ChainConstraints(const ChainLimits<D>& limits, double shortest) : limits_(limits), shortest_(shortest) {
     for (std::size_t e = 0; e + 1 < limits.points.size(); ++e)
       capsule_.push_back(capsule<D>(limits.points[e], limits.points[e + 1], limits.tolerance));
   }
 
   double ball_radius(const ChainNode<D>& node) const { return limits_.ball[static_cast<std::size_t>(node.point)]; }
-  /// From the point that the node passes.
+  /// Returns the coordinate of the node relative to the point that it passes, mm.
   double from_point(const ChainNode<D>& node, int axis) const {
     return node.state[0][axis] - limits_.points[static_cast<std::size_t>(node.point)][axis];
   }
-  /// Derivative p of the node's state is no unknown.
+  /// Returns whether derivative p of the node's state is given, so that it is no unknown.
   bool component_given(const ChainNode<D>& node, int p) const {
     return node.given || (p == 0 && node.point >= 0 && ball_radius(node) <= 0) || (p == 1 && node.still);
   }
@@ -46,11 +46,12 @@ class ChainConstraints {
     return limits_.derivative[static_cast<std::size_t>(cell_basis().order[row] - 2)][axis];
   }
 
-  /// False: one is not positive, and what is in `out` is of no use. The balls of nodes without one stay as they are.
+  /// Computes the slacks; returns whether all are positive, otherwise `out` is incomplete. Entries of nodes without a
+  /// ball stay as they are.
   bool slacks(const CellChain<D>& chain, Slacks& out) const;
-  /// Σ ln of the slacks.
+  /// Returns Σ ln g over the slacks g.
   static double logarithms(const Slacks& slack);
-  /// How many slacks are looked at.
+  /// Returns the number of constraints that exist.
   static double count(const Slacks& slack) {
     double sum = 0;
     for (const auto& cell : slack.cell)
@@ -66,8 +67,8 @@ class ChainConstraints {
     return true;
   }
 
-  /// The slack of row r < 30, tube or speed, where the row's value is q, if it is looked at: visit(slack's index, its
-  /// gradient with respect to q, `round`, u): its curvature is −round · (1 − u uᵀ), u = null stands for 0.
+  /// Calls visit(index of the slack, its gradient with respect to q, `round`, u) for row r < 30, tube or speed, of
+  /// value q, if that constraint exists. The slack's Hessian is −round · (1 − u uᵀ); u = null stands for 0.
   template <typename Visit>
   void curved(const CellChain<D>& chain, std::size_t c, std::size_t r, const double* q, Visit&& visit) const {
     std::array<double, D> g{};

@@ -1,5 +1,5 @@
 #pragma once
-/// The polynomials of a chain.
+/// A chain of cells as polynomials in time.
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/numeric/polynomial.hpp"
 #include "core/probe/landing.hpp"
@@ -9,20 +9,20 @@
 
 namespace bahnwerk {
 
-/// Appends the four pieces of each cell, as coefficients of the time since the piece began: quartics, the last one with
-/// what rounding left open. `place` turns the coefficients of D coordinates into those of the machine's axes. Appends
-/// to `times` when each point after the first is passed.
+/// Appends the four pieces of each cell as coefficients of the time since the piece began: quartics, the last one of
+/// degree 6, which compensates rounding. `place` turns the coefficients of D coordinates into those of the machine's
+/// axes. Appends to `times` the time, s, at which each point after the first is passed.
 template <int D, typename Place>
 void append_pieces(const CellChain<D>& chain, Place&& place, std::vector<SplineMotion::Piece>& pieces,
                    std::vector<double>& times);
 
-/// A quartic piece with state (x, v, a, j) at its begin and a snap.
+/// Returns the quartic with state (x, v, a, j) at its begin and a constant snap.
 inline Polynomial quartic(const std::array<double, 4>& state, double snap) {
   return {state[0], state[1], state[2] / 2, state[3] / 6, snap / 24};
 }
 
-/// Adds to a piece of duration T what rounding left open at its end: velocity, acceleration and jerk become those of
-/// `node`. The position stays as it comes out.
+/// Adds a polynomial to a piece of duration T, s, whose end then has velocity, acceleration and jerk of `node`; the
+/// position at its end is free.
 inline void land(Polynomial& p, double T, const std::array<double, 4>& node) {
   const std::array<double, 4> reached = state_at(p, T);
   const auto rest = probe::landing<double>(node[1] - reached[1], node[2] - reached[2], node[3] - reached[3], T);

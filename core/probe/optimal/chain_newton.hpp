@@ -2,7 +2,8 @@
 /// The Newton step of a chain's barrier problem.
 ///
 /// The system is block tridiagonal over the nodes (4 D unknowns each); the logarithms of the durations are eliminated
-/// cell by cell. Where the matrix is not positive definite there is no step, and more damping makes it so.
+/// cell by cell, the rest is solved by block Cholesky factors. Where the matrix is not positive definite there is no
+/// step; more damping makes it positive definite.
 #include <Eigen/Dense>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace bahnwerk {
 
 struct Barrier {
   double mu = 0;         ///< weight of −Σ ln of the slacks, s
-  double damping = 0;    ///< of the diagonal, relative
-  double stiffness = 0;  ///< of the durations' logarithms, relative to the durations
+  double damping = 0;    ///< added to the diagonal, relative to it
+  double stiffness = 0;  ///< added to the diagonal of the durations' logarithms, relative to the durations
 };
 
 template <int D>
@@ -27,15 +28,15 @@ class ChainNewton {
  public:
   ChainNewton(const ChainConstraints<D>& constraints, std::size_t cells);
 
-  /// The step of primal-dual Newton from `chain`, with its slacks and their multipliers. False: there is none.
+  /// Computes the primal-dual Newton step from `chain`, its slacks and their multipliers; returns whether there is one.
   bool step(const CellChain<D>& chain, const Slacks& slack, const Slacks& dual, const Barrier& barrier) {
     return assemble(chain, slack, dual, barrier) && solve();
   }
-  /// Of the state of node n: derivative p of axis k at p · D + k.
+  /// Returns the step of the state of node n: derivative p of axis k at p · D + k.
   const Vector& of_node(std::size_t n) const { return step_[n]; }
-  /// Of the logarithm of a cell's duration.
+  /// Returns the step of the logarithm of a cell's duration.
   double of_duration(std::size_t c) const { return tau_step_[c]; }
-  /// The values of the cell's rows at `chain`, and how they change to first order.
+  /// Returns the values of the cell's rows at `chain`; row_steps() computes their changes to first order.
   const CellValues<D>& values(std::size_t c) const { return values_[c]; }
   void row_steps(const CellChain<D>& chain, std::size_t c, double (&dq)[CellBasis::rows][D]) const;
 

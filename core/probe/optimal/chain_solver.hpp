@@ -5,8 +5,8 @@
 /// position lies in its edge's capsule, those of the velocity have norm ≤ speed, those of acceleration, jerk and snap
 /// lie within the limits of their axis, hence the motion keeps all limits at all times. The states are those of time
 /// itself, so cells next to each other may last differently and the passing times are free; the price is that the
-/// constraints are bilinear in states and durations. Each iterate keeps all constraints strictly, whatever comes of the
-/// rest: a run can end at any iteration.
+/// constraints are bilinear in states and durations. Each iterate keeps all constraints strictly: a run can end at any
+/// iteration.
 ///
 /// The Newton system is block tridiagonal over the nodes (4 D unknowns each), durations are eliminated cell by cell:
 /// linear cost, about 4 µs (D = 2) or 10 µs (D = 3) a cell and iteration.
@@ -17,10 +17,10 @@
 namespace bahnwerk {
 
 struct ChainSolverOptions {
-  double gap = 1e-3;    ///< ends where Σ λ g ≤ gap · duration
+  double gap = 1e-3;    ///< the search ends where Σ λ g ≤ gap · duration
   int iterations = 60;  ///< at most
   double start_mu = 0;  ///< barrier parameter relative to duration / constraints; 0: chosen
-  double shortest = 0;  ///< no cell becomes shorter, s
+  double shortest = 0;  ///< least duration of a cell, s
 };
 
 struct ChainSolverReport {
@@ -28,8 +28,8 @@ struct ChainSolverReport {
   double gap = 0;  ///< Σ λ g / duration
 };
 
-/// `chain` strictly keeps every limit and the tube; it stays as it is where it does not. `stop` is asked once an
-/// iteration and may throw.
+/// Shortens `chain`, which has to keep every limit and the tube strictly and stays as it is otherwise. Calls `stop`
+/// once an iteration; it may throw.
 template <int D>
 ChainSolverReport shorten_chain(CellChain<D>& chain, const ChainLimits<D>& limits, const ChainSolverOptions& options,
                                 const std::function<void()>& stop);

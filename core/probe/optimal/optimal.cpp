@@ -5,6 +5,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
+#include "core/numeric/bisection.hpp"
 #include "core/probe/figures.hpp"
 #include "core/probe/optimal/chain_motion.hpp"
 #include "core/probe/optimal/windows.hpp"
@@ -158,8 +159,17 @@ ProbeMotion on_polyline(const ProbeProblem& problem, const Report& report) {
   return motion_of(std::move(pieces), std::move(times), problem.points.back());
 }
 
-// Planned in units of the time that an edge takes at full speed on average: a problem whose time is scaled is the same
-// problem.
+// Rounds to 36 bits, 7e-12 of x at most: numbers that differ by a few roundings become one, but for one pair in some
+// ten thousand.
+double rounded_to_36_bits(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return std::ldexp(std::round(std::ldexp(fraction, 36)), exponent - 36);
+}
+
+// Plans in units of the time that an edge takes at full speed on average, with limits that rounding of this unit leaves
+// as they are: problems that differ by the scale of time are one and the same problem, and their durations differ by
+// that scale exactly. The limits' room for rounding is wider than what they are rounded by.
 ProbeMotion shortest(const ProbeProblem& problem, const Report& report, ProgressScope& scope) {
   constexpr double no_tube = 1e-9;  // mm
   double length = 0;
@@ -167,11 +177,11 @@ ProbeMotion shortest(const ProbeProblem& problem, const Report& report, Progress
   const double speed = std::min(problem.speed, probe::unreachable_speed(problem));
   const double unit = length / speed / static_cast<double>(problem.edges());  // s
   ProbeProblem timeless = problem;
-  timeless.speed = speed * unit;
+  timeless.speed = length / static_cast<double>(problem.edges());
   for (AxisLimits& axis : timeless.machine.axes) {
-    axis.acceleration *= unit * unit;
-    axis.jerk *= unit * unit * unit;
-    axis.snap *= unit * unit * unit * unit;
+    axis.acceleration = rounded_to_36_bits(axis.acceleration * unit * unit);
+    axis.jerk = rounded_to_36_bits(axis.jerk * unit * unit * unit);
+    axis.snap = rounded_to_36_bits(axis.snap * unit * unit * unit * unit);
   }
   ProbeMotion motion = timeless.tolerance <= no_tube ? on_polyline(timeless, report)
                        : timeless.dimension() == 2   ? in_tube<2>(timeless, report)
@@ -181,7 +191,7 @@ ProbeMotion shortest(const ProbeProblem& problem, const Report& report, Progress
 }
 
 // The shortest motion for a lower speed goes at that speed wherever it can, so the lowest speed that leaves time enough
-// has the least ripple, about. Bisection; what was really the least is kept.
+// has the least ripple, about. It is found by bisection; the motion that ripples least of all is returned.
 ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts,
                          const ProbeMotion& quickest, const Report& report, ProgressScope& scope) {
   constexpr int steps = 8;
@@ -196,15 +206,22 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMot
     best = motion;
   };
   for (const ProbeMotion& start : starts) offer(start);
-  double low = 0.02 * problem.speed, high = problem.speed;
   ProbeProblem slower = problem;
-  for (int i = 0; i < steps && least > 0; ++i) {
-    slower.speed = i == 0 ? high / problem.stretch : (low + high) / 2;
+  int step = 0;
+  const auto too_slow = [&](double speed) {
+    if (!(least > 0)) return false;
+    slower.speed = speed;
     const ProbeMotion motion = shortest(
-        slower, [&](double f) { report((i + f) / steps); }, scope);
-    (motion.duration() > most ? low : high) = slower.speed;
+        slower, [&](double f) { report((step + f) / steps); }, scope);
+    ++step;
     offer(motion);
-  }
+    return motion.duration() > most;
+  };
+  const double lowest = 0.02 * problem.speed, guess = problem.speed / problem.stretch;
+  if (too_slow(guess))
+    bisect(guess, problem.speed, 0, steps - 1, too_slow);
+  else
+    bisect(lowest, guess, 0, steps - 1, too_slow);
   return best;
 }
 

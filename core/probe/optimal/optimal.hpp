@@ -7,8 +7,9 @@
 /// between is planned along its direction. The result keeps every limit at all times, by the convex-hull property.
 /// Objective `ripple`: the shortest motions for lower speeds, of which the one with the least ripple that lasts at most
 /// `stretch` times as long as the quickest is taken; no motion is promised to have less.
-/// The problem has local optima; the search starts from a motion that rests at every point.
-/// Cost: linear in the points; a few hundred cells take 0.1 s, 10 000 points some seconds.
+/// The problem has local optima; the search starts from a slow motion through the points
+/// (core/probe/optimal/start.hpp). Problems that differ by the scale of time alone have motions that differ by that
+/// scale. Cost: linear in the points; a few hundred cells take 0.1 s, 10 000 points some seconds.
 #include <vector>
 
 #include "core/probe/probe_motion.hpp"
@@ -18,8 +19,9 @@ namespace bahnwerk {
 
 class Progress;
 
-/// `starts`: one motion or more that are right; the quickest is returned where nothing quicker is found, and with
-/// `ripple` any of them that is not too slow where nothing ripples less. Asks `progress` at every iteration.
+/// Plans the motion. `starts` are motions that are right, one or more: the quickest of them is returned if no quicker
+/// one is found, and with `ripple` one that is not too slow if none with less ripple is found. Reports `progress` at
+/// every iteration; throws what it throws.
 ProbeMotion plan_optimal(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts, Progress& progress);
 
 }  // namespace bahnwerk

@@ -1,16 +1,16 @@
 #pragma once
-/// A whole chain, coarse to fine, window by window where there are many points.
+/// The coarse-to-fine search for a whole chain, window by window where there are many points.
 #include <functional>
 
 #include "core/probe/optimal/chain.hpp"
 
 namespace bahnwerk {
 
-/// From rest at the first point to rest at the last one, about as quick as can be. A window of edges is planned from
-/// the state in which the last one left its first point to rest at its last point; some 800 edges of it are kept, as
-/// far as twice the way that braking takes before its end. Memory for the points' cells and one window's system.
-/// `report` is told which fraction is done, at every iteration, and may throw. `all_edges`: how many edges there are in
-/// all, of which these are some; the more, the less is done for each.
+/// Returns a locally quickest chain from rest at the first point to rest at the last one. A window of edges is planned
+/// from the state in which the window before it leaves its first point to rest at its last point; some 800 edges of it
+/// are kept, up to twice the braking distance before its end. Memory: the points' cells and one window's system.
+/// `report` receives the completed fraction at every iteration and may throw. The effort per edge decreases with
+/// `all_edges`, the number of edges of the problem, of which these may be a part.
 template <int D>
 CellChain<D> plan_chain(const ChainLimits<D>& limits, std::size_t all_edges, const std::function<void(double)>& report);
 

@@ -9,9 +9,9 @@ namespace bahnwerk::probe {
 
 using SepticEnd = MotionWriter::State;
 
-/// Control points over `duration`.
+/// Returns the piece in Bernstein form; it lasts `duration` s.
 Bezier septic(const SepticEnd& left, const SepticEnd& right, double duration);
-/// Coefficients of powers of the time since its begin.
+/// Returns its coefficients of powers of the time since its begin.
 std::array<Vec, 8> septic_coefficients(const SepticEnd& left, const SepticEnd& right, double duration);
 
 }  // namespace bahnwerk::probe

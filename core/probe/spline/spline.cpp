@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -9,6 +11,7 @@
 
 #include "core/base/progress_scope.hpp"
 #include "core/probe/spline/spline_run.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "core/probe/straight/straight.hpp"
 #include "core/probe/tighter.hpp"
 #include "core/probe/within_limits.hpp"
@@ -64,19 +67,13 @@ class SplinePlanner {
     prefer_rows();
   }
 
-  /// Rests at every point but for those in a row, instead of solve().
-  void rest_everywhere() {
-    take_rests(0, problem_.points.size() - 1);
-    duration_ = resting(0, problem_.points.size() - 1);
-  }
-
   double duration() const { return duration_; }
 
   ProbeMotion write(ProgressScope& progress) const {
     MotionWriter writer(problem_);
     for (const Section& section : sections_) {
       progress.work(64);
-      if (section.first > 0) rest(writer, section.first);
+      if (section.first > 0) writer.rest(section.first);
       if (section.run)
         write(writer, section, progress);
       else
@@ -149,10 +146,6 @@ class SplinePlanner {
     sections_ = std::move(kept);
     duration_ = total;
   }
-  static void rest(MotionWriter& writer, std::size_t point) {
-    writer.pass(writer.time());
-    writer.phase(ProbePhaseKind::rest, writer.time(), writer.time(), point);
-  }
   void write(MotionWriter& writer, const Section& section, ProgressScope& progress) const {
     const SplineRun& run = *section.run;
     writer.aim(problem_.points[section.first]);
@@ -177,45 +170,94 @@ class SplinePlanner {
   double duration_ = 0;
 };
 
-constexpr double least_phase = 1e-6;  // duration of a phase relative to the motion's, far above the rounding of time
+/// The quickest plan for the problem and for tighter ones.
+class SplineSearch {
+ public:
+  SplineSearch(const ProbeProblem& problem, ProgressScope& scope)
+      : problem_(with_reachable_speed(problem)), scope_(scope) {}
 
-/// Returns the problem with jerk and snap lowered until no axis reaches its acceleration or jerk in less than `phase`
-/// s.
-ProbeProblem with_phases_of(double phase, ProbeProblem problem) {
-  for (AxisLimits& axis : problem.machine.axes) {
-    axis.jerk = std::min(axis.jerk, axis.acceleration / phase);
-    axis.snap = std::min(axis.snap, axis.jerk / phase);
+  const SplinePlanner& best() const { return *best_; }
+
+  void search() {
+    scope_.part(0, 0.1);
+    const std::size_t points = problem_.points.size();
+    starts_.push_back(offer(problem_, true));
+    if (points > many) return;
+    starts_.push_back(offer(problem_, false));
+    offer_all(slower_problems(problem_, best_->duration()));
+    offer_all(weaker_problems(problem_));
+    // What helps at the speed of the best plan may do nothing at the given one.
+    if (starts_.front().problem != &problem_ && points <= some) offer_all(weaker_problems(*starts_.front().problem));
+    starts_.resize(std::min<std::size_t>(starts_.size(), points <= few ? 3 : points <= some ? 1 : 0));
+    for (const Candidate& start : starts_) improve(start);
   }
-  return problem;
-}
+
+ private:
+  static constexpr std::size_t few = 40, some = 100;  // points: up to there hundreds of plans take less than a second
+  static constexpr std::size_t many = 2000;           // points: from there on one rule for jerks has to do
+
+  struct Candidate {
+    double duration;
+    const ProbeProblem* problem;
+    bool jerks;
+  };
+
+  void offer_all(std::vector<ProbeProblem> problems) {
+    scope_.half_of_rest();
+    for (ProbeProblem& problem : problems) {
+      tighter_.push_back(std::move(problem));
+      for (const bool jerks : {true, false}) starts_.push_back(offer(tighter_.back(), jerks));
+    }
+    std::stable_sort(starts_.begin(), starts_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.duration < b.duration; });
+  }
+  Candidate offer(const ProbeProblem& problem, bool jerks) {
+    SplinePlanner planner(problem, jerks);
+    planner.solve(scope_);
+    const Candidate candidate{planner.duration(), &problem, jerks};
+    if (!best_ || candidate.duration < best_->duration()) best_.emplace(std::move(planner));
+    return candidate;
+  }
+  /// Pattern search about the tighter problem of a plan: each quantity is raised and lowered by steps that become
+  /// smaller. Limits that the best plan does not use hardly matter then.
+  void improve(Candidate centre) {
+    constexpr int rounds = 6;
+    double step = 0.25;  // octaves
+    scope_.half_of_rest();
+    for (int round = 0; round < rounds; ++round, step /= 2)
+      for (const TightenedQuantity quantity : tightened_quantities)
+        for (const double octaves : {-step, step}) {
+          ProbeProblem problem = *centre.problem;
+          if (!scale_quantity(problem, quantity, std::exp2(octaves), problem_)) continue;
+          tighter_.push_back(std::move(problem));
+          if (const Candidate found = offer(tighter_.back(), centre.jerks); found.duration < centre.duration)
+            centre = found;
+          else
+            tighter_.pop_back();
+        }
+  }
+
+  ProbeProblem problem_;
+  ProgressScope& scope_;
+  std::deque<ProbeProblem> tighter_;  // plans refer to them
+  std::vector<Candidate> starts_;     // ordered by duration
+  std::optional<SplinePlanner> best_;
+};
 
 }  // namespace
 
 ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "spline", progress_from, progress_to);
   scope.report();
-  const std::vector<ProbeProblem> problems = with_tighter(problem);
-  const bool many = problem.points.size() > 2000;  // one rule has to do
-  std::optional<SplinePlanner> best;
-  for (std::size_t i = 0; i < 2 * problems.size(); ++i) {
-    const auto n = static_cast<double>(2 * problems.size()), at = static_cast<double>(i);
-    scope.part(at / n, (at + 1) / n);
-    const bool jerks = i % 2 == 0;
-    if (many && !jerks) break;
-    SplinePlanner planner(problems[i / 2], jerks);
-    planner.solve(scope);
-    if (!best || planner.duration() < best->duration()) best.emplace(std::move(planner));
-  }
-  ProbeMotion plan = within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
-  // Phases that are so short that rounding blurs them slow the motion: rests in phases that are longer may be quicker.
-  SplinePlanner rests(problem, false);
-  rests.rest_everywhere();
-  if (plan.duration() <= rests.duration() * (1 + 1e-12)) return plan;
-  const ProbeProblem eased = with_phases_of(least_phase * rests.duration(), problem);
-  SplinePlanner eased_rests(eased, false);
-  eased_rests.rest_everywhere();
-  ProbeMotion resting = within_limits(problem, eased_rests.write(scope), scope);
-  return plan.duration() <= resting.duration() ? plan : resting;
+  SplineSearch search(problem, scope);
+  search.search();
+  const SplinePlanner& best = search.best();
+  ProbeMotion plan = within_limits(problem, slowed(best.write(scope), 1), scope);  // slowed motions land
+  // A motion that rounding does not slow is no slower than rests by construction.
+  constexpr double rounding = 1e-12;
+  if (plan.duration() <= best.duration() * (1 + rounding)) return plan;
+  ProbeMotion stops = plan_stops(problem, scope);
+  return plan.duration() <= stops.duration() * (1 + rounding) ? plan : stops;
 }
 
 }  // namespace bahnwerk

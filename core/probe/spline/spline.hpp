@@ -2,18 +2,21 @@
 /// Method `spline` [Thielemann, "2. Ansatz: Basteln"]: a polynomial from point to point, with derivatives at the points
 /// that three neighbouring points say.
 ///
-/// Velocity and acceleration at a point are those of the parabola through it and its neighbours, the jerk is 0 or the
-/// difference of the neighbours' accelerations, whichever turns out quicker. Pieces of degree 7 share all of them, so
-/// that the jerk is continuous. Times begin with the profile of 15 phases along the whole length. Where points are
-/// dense it is followed to the third derivative: parabolas over the length give tangent and curvature, the profile
-/// speed, acceleration and jerk along them. Elsewhere times are stretched, smoothly along the path, where speed or a
-/// limit is exceeded, and shortened where there is room. Where a piece leaves the tube, velocity (by λ), acceleration
-/// (by λ²) and jerk (by λ³) at its ends are reduced, down to a rest. In the end all times between two rests are scaled
-/// by what the true peaks ask for, which leaves the path as it is. From rest to rest along a straight row the profile
-/// itself is taken. Between two rests never slower than resting at every point, nor than without rests between, where a
-/// spline without them was found.
+/// Velocity and acceleration at a point are those of the parabola through it and its neighbours; the jerk is 0 or the
+/// difference quotient of the neighbours' accelerations, whichever gives the quicker motion. Pieces of degree 7 share
+/// all of them, so that the jerk is continuous. Times begin with the profile of 15 phases along the whole length. Where
+/// points are dense it is followed to the third derivative: parabolas over the length give tangent and curvature, the
+/// profile speed, acceleration and jerk along them. Elsewhere times are stretched, smoothly along the path, where speed
+/// or a limit is exceeded, and shortened where there is room. Where a piece leaves the tube, velocity (by λ),
+/// acceleration (by λ²) and jerk (by λ³) at its ends are reduced, down to a rest. In the end all times between two
+/// rests are scaled by the factor that the true peaks require, which leaves the path as it is. From rest to rest along
+/// a straight row the profile itself is taken. Between two rests the motion is never slower than with rests at every
+/// point, nor than without rests between, where a spline without them was found.
 ///
-/// O(points), some 50 µs each.
+/// Plans for tighter problems (core/probe/tighter.hpp) are candidates, too: some 40 of them for up to 300 points, and
+/// some hundred more of a pattern search for up to 100 points.
+///
+/// Cost: O(points), some 50 µs each and plan.
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
@@ -21,7 +24,7 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Throws what progress throws.
+/// Plans the motion; reports progress from `progress_from` to `progress_to`. Throws what progress throws.
 ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from = 0,
                         double progress_to = 1);
 

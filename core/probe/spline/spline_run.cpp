@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/bisection.hpp"
 #include "core/probe/straight/straight.hpp"
 
 namespace bahnwerk::probe {
 namespace {
 
-constexpr std::size_t many = 2000;    // points: from there on there are fewer rounds
-constexpr double least_share = 0.04;  // of velocity at a point: below it the head rests there
+constexpr std::size_t many = 2000;         // points: from there on there are fewer rounds
+constexpr double least_share = 0.04;       // of velocity at a point: below it the head rests there
+constexpr double quick_least_share = 0.3;  // where there are many points
 
 /// Limits that hold along every direction.
 ProfileLimits limits_anywhere(const ProbeProblem& problem) {
@@ -57,10 +59,10 @@ void SplineRun::start(double share) {
     if (i + 1 < intervals()) {
       while (piece + 1 < profile.count && profile.piece[piece + 1].s <= way) ++piece;
       const ProfilePiece& p = profile.piece[piece];
-      double low = 0, high = p.duration;
-      for (int step = 0; step < 50; ++step) (p.at((low + high) / 2).s < way ? low : high) = (low + high) / 2;
-      t = p.t0 + (low + high) / 2;
-      along_[i + 1] = p.at((low + high) / 2);
+      const Bisection when = bisect(0, p.duration, 0, 50, [&](double tau) { return p.at(tau).s < way; });
+      const double tau = (when.low + when.high) / 2;
+      t = p.t0 + tau;
+      along_[i + 1] = p.at(tau);
     }
     time_[i] = std::max(t - before, 1e-3 * length_[i] / problem_.speed);
     before = t;
@@ -129,10 +131,22 @@ SplineRun::Strains SplineRun::strains(std::size_t i, double resolution) const {
   take(a, axis[0], 2);
   take(j, axis[1], 3);
   take(s, axis[2], 4);
+  out.tube = tube_strain(x, i, resolution, depth);
+  return out;
+}
+
+double SplineRun::tube_strain(const Bezier& x, std::size_t i, double resolution, int depth) const {
   const double allowed = problem_.tolerance + rounding_;
   const auto distance = [&](Vec p) { return distance_from_edge(p, ends_[i].x, ends_[i + 1].x) / allowed; };
-  out.tube = peak_of(x, distance, 0.25, resolution, depth);
-  return out;
+  return peak_of(x, distance, 0.25, resolution, depth);
+}
+
+bool SplineRun::in_tube(ProgressScope& progress) const {
+  for (std::size_t i = 0; i < intervals(); ++i) {
+    progress.work(1);
+    if (tube_strain(septic(ends_[i], ends_[i + 1], time_[i]), i, quick_ ? 0.1 : 0.02, quick_ ? 2 : 3) > 1) return false;
+  }
+  return true;
 }
 
 void SplineRun::smooth(std::vector<double>& factor) const {
@@ -171,12 +185,13 @@ void SplineRun::reduce(const std::vector<Strains>& strains) {
   std::vector<double> factor(share_.size(), 1.0);
   for (std::size_t i = 0; i < intervals(); ++i) {
     if (strains[i].tube <= 1) continue;
-    const double by = std::clamp(0.97 / std::sqrt(strains[i].tube), 0.4, 0.97);
+    const double by = quick_ ? std::clamp(0.97 / strains[i].tube, 0.2, 0.97)
+                             : std::clamp(0.97 / std::sqrt(strains[i].tube), 0.4, 0.97);
     factor[i] = std::min(factor[i], by), factor[i + 1] = std::min(factor[i + 1], by);
   }
   for (std::size_t i = 1; i < intervals(); ++i) {
     share_[i] *= factor[i];
-    if (share_[i] < least_share) rests_.push_back(first_ + i);
+    if (share_[i] < (quick_ ? quick_least_share : least_share)) rests_.push_back(first_ + i);
   }
 }
 
@@ -202,7 +217,7 @@ void SplineRun::search(ProgressScope& progress) {
     for (const double share : {0.5, 0.25, 1.0}) {
       start(share);
       follow_profile(points);
-      if (!look(now, progress)) break;
+      if (!in_tube(progress) || !look(now, progress)) break;
     }
   }
   start(1);

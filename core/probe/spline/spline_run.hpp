@@ -1,5 +1,5 @@
 #pragma once
-/// The points between two rests as one spline in time: times and reductions that keep tube, speed and limits.
+/// One spline in time through the points between two rests: times and reductions that keep tube, speed and limits.
 #include <cstddef>
 #include <vector>
 
@@ -12,17 +12,18 @@ namespace bahnwerk::probe {
 
 class SplineRun {
  public:
-  /// From rest at point `first` to rest at point `last`, with jerks at the points or without.
+  /// The spline goes from rest at point `first` to rest at point `last`; `jerks`: with jerks at the points.
   SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks);
 
-  /// Whether times were found. Where rests() is not empty, resting there may be quicker, or is all that there is.
+  /// Returns whether times were found. If rests() is not empty, resting there may be quicker or, without times,
+  /// necessary.
   bool solve(ProgressScope& progress);
   /// Points at which the head has to rest.
   const std::vector<std::size_t>& rests() const { return rests_; }
-  double duration() const;
-  /// Per interval, s.
+  double duration() const;  ///< s
+  /// Returns the durations of the intervals, s.
   const std::vector<double>& times() const { return time_; }
-  /// The state at point first + i.
+  /// Returns the state at point first + i.
   SepticEnd end(std::size_t i) const { return ends_[i]; }
 
  private:
@@ -31,24 +32,28 @@ class SplineRun {
     double tube = 0;  // deviation / δ
   };
   std::size_t intervals() const { return time_.size(); }
-  /// The profile along the whole length under limits × `share`: times, and what of its states the points take.
+  /// Sets times and along_ by the profile along the whole length under limits × `share`.
   void start(double share);
-  /// The states at the points as the profile says. Path derivatives over the length of the polyline are those of the
+  /// Sets the states at the points from along_. Path derivatives over the length of the polyline are those of the
   /// polynomial through `points` = 3 or 5 points; pieces between states of less accuracy need the more snap the denser
   /// the points are.
   void follow_profile(std::size_t points);
-  /// As the points' parabolas say, from the times alone.
+  /// Sets the states at the points by the parabolas through three points, from the times alone.
   void make_ends();
   struct Best {
     double duration = unlimited;  // once limits are kept
     std::vector<double> time;
     std::vector<SepticEnd> ends;
   };
-  /// Strains at the times and ends at hand, which become the best ones if they are; whether all is in the tube.
+  /// Computes the strains for the present times and ends, which become the best ones if they are quicker; returns
+  /// whether all intervals are in the tube.
   bool look(std::vector<Strains>& strains, ProgressScope& progress);
+  /// Returns whether the present pieces lie in the tube; a quick look, which ends at the first one that does not.
+  bool in_tube(ProgressScope& progress) const;
   void search(ProgressScope& progress);
   bool finish(ProgressScope& progress);
   Strains strains(std::size_t i, double resolution) const;
+  double tube_strain(const Bezier& x, std::size_t i, double resolution, int depth) const;
   /// Lets factors spread along the path, so that speeds change slowly enough.
   void smooth(std::vector<double>& factor) const;
   void reduce(const std::vector<Strains>& strains);

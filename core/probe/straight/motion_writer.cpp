@@ -41,6 +41,7 @@ MotionWriter::State MotionWriter::carry() {
   State out{position_, {}, {}, {}};
   if (pieces_.empty()) return out;
   const double x = pieces_.back().end - (pieces_.size() > 1 ? pieces_[pieces_.size() - 2].end : 0);
+  sum_.add(x - out_.durations.back());  // the sum of all durations stays the time
   out_.durations.back() = x;
   for (std::size_t k = 0; k < problem_.dimension(); ++k) {
     const std::array<double, 4> end = state_at(pieces_.back().axes[k], x);

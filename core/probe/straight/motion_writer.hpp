@@ -1,6 +1,6 @@
 #pragma once
-/// Writes a motion piece by piece: what is known where pieces meet (velocity, acceleration, jerk) is taken as such,
-/// positions go on where the piece before ends, so that rounding opens no gaps.
+/// Writes a motion piece by piece: velocity, acceleration and jerk at joints are given, positions continue where the
+/// piece before ends, so that rounding opens no gaps.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -13,30 +13,36 @@ namespace bahnwerk::probe {
 
 class MotionWriter {
  public:
-  /// At rest at the first point, which is passed.
+  /// Begins at rest at the first point, which is passed.
   explicit MotionWriter(const ProbeProblem& problem);
 
   struct State {
     Vec x, v, a, j;  ///< mm, mm/s, mm/s², mm/s³
   };
-  /// What the last piece evaluates to at its end, as SplineMotion evaluates it: for a next piece that goes on from
-  /// there. Its duration is then that of its rounded times.
+  /// Returns the state at the end of the last piece as SplineMotion evaluates it, from which the next piece can go on.
+  /// The planned duration of the last piece becomes that of its rounded times.
   State carry();
 
   double time() const { return time_; }       ///< s
   Vec position() const { return position_; }  ///< where the last piece ends, mm
-  /// Nothing is added where `duration` is lost in the rounding of the time.
+  /// Adds a piece of `duration` s from position() with these derivatives (mm/s … mm/s⁴) at its begin. A duration that
+  /// is lost in the rounding of time() adds nothing.
   void add(double duration, Vec v, Vec a, Vec j, Vec snap);
-  /// Σ c_i τⁱ, of which c_0 is replaced by position(); degree 8 at most.
+  /// Adds the piece Σ c_i τⁱ, i ≤ 8, whose c_0 is replaced by position().
   void add(double duration, std::span<const Vec> coefficients, PieceJoint joint = PieceJoint::exact);
-  /// Puts right what rounding has moved the position by, if it is no more than that.
+  /// Sets the position to `position` along each axis on which they differ by rounding (8 ε) alone.
   void aim(Vec position);
-  /// The next point is passed at `t` s.
+  /// Passes the next point at `t` s.
   void pass(double t) { out_.times.push_back(t); }
   void phase(ProbePhaseKind kind, double begin, double end, std::size_t point) {
     out_.phases.push_back({kind, begin, end, point});
   }
-  /// Passes the last point.
+  /// Rests at point `number`, where the motion is, for a moment: the point is passed.
+  void rest(std::size_t number) {
+    pass(time_);
+    phase(ProbePhaseKind::rest, time_, time_, number);
+  }
+  /// Passes the last point and returns the motion.
   ProbeMotion finish();
 
  private:

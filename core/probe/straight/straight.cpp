@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numeric/bisection.hpp"
+
 namespace bahnwerk::probe {
 namespace {
 
@@ -14,12 +16,9 @@ double time_at(const Profile& profile, double distance) {
   while (i + 1 < pieces.size() && pieces[i + 1].s <= distance) ++i;
   if (pieces[i].a == 0 && pieces[i].j == 0 && pieces[i].snap == 0)
     return pieces[i].t0 + std::clamp((distance - pieces[i].s) / pieces[i].v, 0.0, pieces[i].duration);
-  double low = 0, high = pieces[i].duration;
-  for (int step = 0; step < 60; ++step) {
-    const double middle = (low + high) / 2;
-    (pieces[i].at(middle).s < distance ? low : high) = middle;
-  }
-  return pieces[i].t0 + (low + high) / 2;
+  const Bisection when =
+      bisect(0, pieces[i].duration, 0, 60, [&](double tau) { return pieces[i].at(tau).s < distance; });
+  return pieces[i].t0 + (when.low + when.high) / 2;
 }
 
 ProbePhaseKind kind_of(const ProfilePiece& piece) {

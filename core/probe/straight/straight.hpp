@@ -1,6 +1,6 @@
 #pragma once
-/// Straight parts of a motion [Thielemann, "Einfacher Fall"]: the profile of 15 phases along a direction, under what
-/// the axes' limits leave there.
+/// Straight parts of a motion [Thielemann, "Einfacher Fall"]: the profile of 15 phases along a direction, under the
+/// limits that the axes leave there.
 #include <cstddef>
 #include <vector>
 
@@ -10,21 +10,22 @@
 
 namespace bahnwerk::probe {
 
-/// L = min_k L_k/|d_k| of acceleration, jerk and snap, and the problem's speed, along the unit vector d.
+/// Returns the limits L = min_k L_k/|d_k| of acceleration, jerk and snap along the unit vector d, and the problem's
+/// speed.
 ProfileLimits limits_along(const ProbeProblem& problem, Vec direction);
 
 /// Appends `profile` along the unit vector `direction` with its phases, after point `point`.
 void append_straight(MotionWriter& writer, const Profile& profile, Vec direction, std::size_t point);
 
-/// The straight from rest at point `from` to rest at point `to`, past those in between, which are passed where they
-/// are. O(points between · log).
+/// Appends the straight from rest at point `from` to rest at point `to`, which passes the points between; returns its
+/// duration, s. O(points between).
 double append_rest_to_rest(MotionWriter& writer, const ProbeProblem& problem, std::size_t from, std::size_t to);
-/// Its duration, s.
+/// Returns the duration of that straight, s.
 double rest_to_rest_duration(const ProbeProblem& problem, std::size_t from, std::size_t to);
 
-/// Per point the last one of the row of points that begins there, whose straight passes all of them as it has to: in
-/// order, within point_tolerance, and within the tube. At least the next point; the last point has itself. Rows are
-/// found from the start of the path on; a point within a row has the row's end. O(points · log points).
+/// Returns per point the last point of its row. A row is a sequence of two points or more that one straight passes in
+/// order, within half of point_tolerance and tolerance. Rows follow each other from the first point on; each is
+/// extended as far as it goes. The last point has itself. O(points · log points).
 std::vector<std::size_t> straight_rows(const ProbeProblem& problem);
 
 }  // namespace bahnwerk::probe

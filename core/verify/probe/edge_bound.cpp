@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numeric/bisection.hpp"
+
 namespace bahnwerk {
 
 namespace {
@@ -85,13 +87,10 @@ double certified_time(const EdgeBoundProblem<D>& problem, const EdgeMultipliers<
   if (!(least > 0)) return 0;
   for (double& c : cost) c *= 1 + 1e-12;
   const auto total = [&](double h) { return h * (cost[1] + h * (cost[2] + h * (cost[3] + h * cost[4]))); };
-  double low = 0, high = 1;
+  double high = 1;
   for (int i = 0; i < 200 && total(high) < least; ++i) high *= 2;
   if (!(total(high) >= least)) return 0;
-  for (int i = 0; i < 200 && high - low > 1e-13 * high; ++i) {
-    const double middle = (low + high) / 2;
-    (total(middle) < least ? low : high) = middle;
-  }
+  const double low = bisect(0, high, 0, 100, [&](double h) { return total(h) < least; }).low;
   return low * (1 - 1e-12);
 }
 

@@ -3,14 +3,14 @@
 ///
 /// Let x be any right motion, passing A at time 0 and B at time h. For times t_k = h g_k, r! times the divided
 /// difference of order r of its positions is a mean of x^(r), so its norm is at most V for r = 1, and each axis' value
-/// at most L_r for r = 2, 3, 4. The positions themselves lie in capsules: those of the edge for 0 ≤ g ≤ 1, those of its
-/// neighbours for as long as these take at least, a point where the head is at rest. If D_r x = r! [g_k … g_(k+r)] x,
-/// every choice of multipliers y says
+/// at most L_r for r = 2, 3, 4. The positions themselves lie in capsules: in that of the edge for 0 ≤ g ≤ 1, in those
+/// of its neighbours during their least times, in a point where the head is at rest. With D_r x = r! [g_k … g_(k+r)] x
+/// every choice of multipliers y satisfies
 ///     Σ y·D x ≤ Σ_r h^r L_r |y_r|      and      Σ y·D x = Σ_k (Dᵀy)_k·x_k ≥ −Σ_k σ_k(−(Dᵀy)_k),
-/// σ_k the support function of the capsule of x_k. So h is at least the root of Σ_r h^r L_r |y_r| = C, and no motion is
-/// believed to be anything: any y proves a bound. Good ones are the multipliers of the convex problem, which an
-/// interior-point method finds; whether it converged matters for how close the bound is, not for its being one.
-/// If the capsules hold for a time h g, they hold for the shorter times of a smaller h: the bound covers all of them.
+/// σ_k the support function of the capsule of x_k. So h is at least the root of Σ_r h^r L_r |y_r| = C, the last
+/// sum: weak duality, by which any y proves a bound. Close bounds come from the multipliers of the convex problem,
+/// which an interior-point method finds; without convergence the bound is less close, and still a bound. If the
+/// capsules hold for a time h g, they hold for the shorter times of a smaller h: the bound covers all of them.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -22,7 +22,7 @@ template <int D>
 struct SampleSet {
   std::array<double, D> p{}, q{};
   double radius = 0;
-  bool with_last = false;  ///< the position is that of the sample before: the head is at rest
+  bool with_last = false;  ///< the position equals that of the sample before: the head is at rest
 };
 
 template <int D>
@@ -37,14 +37,15 @@ struct EdgeBoundProblem {
 template <int D>
 using EdgeMultipliers = std::array<std::vector<std::array<double, D>>, 4>;
 
-/// r! [g_k … g_(k+r)] as coefficients of the r + 1 samples; index r − 1.
+/// Returns r! [g_k … g_(k+r)] as coefficients of the r + 1 samples; index r − 1.
 std::array<std::vector<std::array<double, 5>>, 4> difference_rows(const std::vector<double>& grid);
 
-/// The proven lower bound of h, s, rounded down; 0 where the multipliers prove nothing. O(samples).
+/// Returns the proven lower bound of h, s, rounded down; 0 where the multipliers prove nothing. O(samples).
 template <int D>
 double certified_time(const EdgeBoundProblem<D>& problem, const EdgeMultipliers<D>& y);
 
-/// Multipliers near the best ones: those of the samples' shortest h. O(samples) an iteration, `iterations` at most.
+/// Returns multipliers near the best ones, which are those of the samples' least h. O(samples) an iteration,
+/// `iterations` at most.
 template <int D>
 EdgeMultipliers<D> edge_multipliers(const EdgeBoundProblem<D>& problem, int iterations);
 

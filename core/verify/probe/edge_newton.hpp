@@ -1,8 +1,9 @@
 #pragma once
-/// The Newton step of the search for an edge's multipliers, by orthogonal factors, sample by sample.
+/// The Newton step of the search for an edge's multipliers, by a QR factorization, sample by sample.
 ///
-/// The matrix in the samples is JᵀJ, J the weighted differences, and so are both right-hand sides of the form Jᵀv. That
-/// costs twice what a Cholesky factor of JᵀJ does, and the condition number, about (samples)^4, is not squared.
+/// The matrix in the samples is JᵀJ, J the weighted differences; both right-hand sides have the form Jᵀv. Orthogonal
+/// factors of J cost twice as much as a Cholesky factor of JᵀJ, and do not square the condition number, about
+/// (samples)^4 (Golub & Van Loan, "Matrix Computations", 5.3).
 #include <Eigen/Dense>
 #include <vector>
 
@@ -10,7 +11,7 @@
 
 namespace bahnwerk {
 
-/// Where the search is.
+/// An iterate of the search.
 template <int D>
 struct EdgeIterate {
   std::vector<std::array<double, D>> x;  ///< samples
@@ -26,11 +27,11 @@ class EdgeNewton {
   explicit EdgeNewton(const EdgeSamples<D>& samples)
       : samples_(samples), factor_(samples.count()), dx_(samples.count()) {}
 
-  /// The step from `at` for barrier parameter `mu`. `curvature`: 1 with that of products of samples and h, 0 without.
-  /// False: there is none.
+  /// Computes the step from `at` for barrier parameter `mu`; returns whether there is one. `curvature` is 1 with the
+  /// second derivatives of products of samples and h, 0 without.
   bool step(const EdgeIterate<D>& at, double mu, double curvature, double damping);
   const std::vector<Point>& of_samples() const { return dx_; }
-  double of_logarithm() const { return dtau_; }  ///< of ln h
+  double of_logarithm() const { return dtau_; }  ///< the step of ln h
 
  private:
   using Work = Eigen::Matrix<double, 10 * D + 4, 5 * D + 2>;

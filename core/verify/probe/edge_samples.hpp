@@ -1,6 +1,6 @@
 #pragma once
-/// The samples of an edge's bound as a convex problem: which h is least for samples x that lie in their sets and whose
-/// divided differences keep h^r L_r. Its constraints as slacks that are positive.
+/// The convex problem of an edge's bound: the least h for samples x that lie in their sets and whose divided
+/// differences keep h^r L_r, with its constraints as slacks that are positive.
 #include <array>
 #include <cmath>
 #include <vector>
@@ -13,37 +13,38 @@ template <int D>
 class EdgeSamples {
  public:
   using Point = std::array<double, D>;
-  static constexpr double no_limit = 1e300;  ///< a slack that is not looked at
+  static constexpr double no_limit = 1e300;  ///< marks the slack of a constraint that does not exist
 
   explicit EdgeSamples(const EdgeBoundProblem<D>& problem);
 
   std::size_t count() const { return problem_.grid.size(); }
   const EdgeBoundProblem<D>& problem() const { return problem_; }
-  /// Samples to start from, along the edge.
+  /// Returns samples along the edge, at which the search starts.
   std::vector<Point> start() const;
-  /// Sample k stands where it is: there is next to no room in its set.
+  /// Returns whether sample k is fixed, because its set has next to no room.
   bool fixed(std::size_t k) const { return fixed_[k]; }
-  double radius(std::size_t k) const { return radius_[k]; }  ///< of its set, or what the search takes for it
+  double radius(std::size_t k) const { return radius_[k]; }  ///< of its set, as the search takes it, mm
 
   std::size_t rows(std::size_t r) const { return rows_[r - 1].size(); }  ///< differences of order r = 1 … 4
   const std::array<double, 5>& row(std::size_t r, std::size_t k) const { return rows_[r - 1][k]; }
-  /// Some sample of the difference is not fixed.
+  /// Returns whether some sample of difference k of order r is not fixed.
   bool free_row(std::size_t r, std::size_t k) const;
-  /// Difference k of order r, times `power`.
+  /// Returns difference k of order r, times `power`.
   Point value(const std::vector<Point>& x, std::size_t r, std::size_t k, double power) const;
-  /// From the set's segment to x; `u` its direction, `cap`: the nearest point is an end.
+  /// Returns the vector from the segment of set k to x; sets `u`, the segment's direction, and `cap`: the nearest point
+  /// is an end.
   Point offset(std::size_t k, const Point& x, bool& cap, Point& u) const;
 
-  /// Slacks: one per sample, one per difference of first order, two per axis of the others.
+  /// Returns the number of slacks: one per sample, one per difference of first order, two per axis of the others.
   std::size_t slacks() const { return start_[5]; }
   std::size_t speed_slack(std::size_t k) const { return start_[1] + k; }
-  /// The upper one; the lower one is next.
+  /// Returns the index of the slack of the upper limit; that of the lower limit is next.
   std::size_t axis_slack(std::size_t r, std::size_t k, int axis) const {
     return start_[r] + 2 * (D * k + static_cast<std::size_t>(axis));
   }
-  /// The least h under which differences of x keep their limits.
+  /// Returns the least h under which the differences of x keep their limits.
   double slowest(const std::vector<Point>& x) const;
-  /// False: one of the slacks is not positive.
+  /// Computes the slacks; returns whether all are positive.
   bool evaluate(const std::vector<Point>& x, double h, std::vector<double>& slack) const;
 
  private:

@@ -257,7 +257,7 @@ void improve(const ProbeProblem& problem, std::vector<Move>& moves, const Effort
 
 template <int D>
 double sum_of_moves(const ProbeProblem& problem, Progress& progress) {
-  // Of very many edges only the last levels are improved, of moves that are long beside the ramps at least.
+  // With very many edges, only the last levels are improved, whose moves are long beside the ramps.
   constexpr std::size_t many = 1000, few = 160;
   const double enough = 6 * ramp_time(problem);
   std::vector<Move> moves;

@@ -1,6 +1,6 @@
 #pragma once
-/// The verifier of a probe path: the motion against the points, the tube, the speed and the axes' limits of the
-/// document, everywhere between samples. It sees polynomials of time and the times of the points, no planner.
+/// The verifier of a probe path: it checks the motion against points, tube, speed and axes' limits of the document at
+/// all times, between setpoints, too. It sees polynomials in time and the times of the points, no planner.
 #include <vector>
 
 #include "core/base/verification.hpp"
@@ -18,8 +18,8 @@ struct ProbeToVerify {
   double progress_from = 0, progress_to = 1;
 };
 
-/// Checks of core/verify/motion/motion_checks.hpp: acceleration, jerk and snap per axis, continuity up to jerk, rest
-/// (v = a = j = 0) at both ends; and
+/// Returns the checks of core/verify/motion/motion_checks.hpp (acceleration, jerk and snap per axis, continuity up to
+/// jerk, rest with v = a = j = 0 at both ends) and
 ///
 /// `speed`           mm/s  the largest |v|
 /// `deviation`       mm    on [t_i, t_(i+1)] the largest distance from the segment P_i P_(i+1) itself
@@ -30,7 +30,7 @@ struct ProbeToVerify {
 ///
 /// Peaks are enclosures: Bernstein coefficients of every piece, cut where edges change, halved until they decide to
 /// 1e-9. Speed and points hold when value ≤ limit · (1 + 1e-9), deviations when value ≤ limit · (1 + 1e-9) + 1e-12 of
-/// the largest coordinate, which is what rounding of positions adds up to. What is no polynomial fails. O(pieces).
+/// the largest coordinate, to which rounding of positions adds up. A piece that is no polynomial fails. O(pieces).
 std::vector<Check> probe_checks(const ProbeToVerify& input, Progress& progress);
 
 }  // namespace bahnwerk

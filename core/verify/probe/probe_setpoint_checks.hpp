@@ -1,5 +1,5 @@
 #pragma once
-/// The independent check of every setpoint of a probe path, besides that of any motion's axes.
+/// The check of every setpoint of a probe path, in addition to that of any motion's axes.
 #include <memory>
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace bahnwerk {
 
-/// Of every row
+/// Returns the check that compares in every row
 ///
 /// `setpoints deviation`  mm     column `deviation` against the distance of the row's own position from the edge that
 ///                               is being passed: 64 ε of the largest coordinate

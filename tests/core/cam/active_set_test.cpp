@@ -69,7 +69,8 @@ TEST(ActiveSet, DegreeTwentyOneIsTheIncompleteBetaFunction) {
   EXPECT_NEAR(found.value.objective, 13.7094574981946, 1e-7);
 }
 
-/// With lopsided shares of the conditions derivatives grow from section to section: to 10²⁴ of the sine's over 60 points.
+/// With lopsided shares of the conditions derivatives grow from section to section: to 10²⁴ of the sine's over 60
+/// points.
 TEST(ActiveSet, HundredsOfPositionsOfASineGiveASine) {
   std::vector<MotionPoint> points{rest(0, 0)};
   for (int i = 1; i < 400; ++i) points.push_back(point(i, 2, {number(10 * std::sin(0.5 * i))}));

@@ -1,6 +1,7 @@
 #include "core/probe/arcs/arcs.hpp"
 
 #include "core/base/progress.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "tests/core/probe/probe_cases.hpp"
 
 namespace bahnwerk {

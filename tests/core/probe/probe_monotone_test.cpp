@@ -1,7 +1,9 @@
 // What has to hold between problems: time is only a scale.
 #include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
+#include "core/probe/optimal/optimal.hpp"
 #include "core/probe/spline/spline.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/probe/probe_cases.hpp"
 
@@ -18,6 +20,10 @@ double spline(const ProbeProblem& p) {
   SilentProgress silent;
   return plan_spline(p, silent).duration();
 }
+double optimal(const ProbeProblem& p) {
+  SilentProgress silent;
+  return plan_optimal(p, {plan_stops(p, silent)}, silent).duration();
+}
 
 /// The same problem with time k times as slow.
 ProbeProblem scaled(ProbeProblem p, double k) {
@@ -27,14 +33,25 @@ ProbeProblem scaled(ProbeProblem p, double k) {
   return p;
 }
 
-TEST(ProbeMonotone, TimeIsOnlyAScale) {
+TEST(ProbeMonotone, TimeIsOnlyAScaleOfArcsAndSpline) {
   for (int i = 0; i < testing::cases(5); ++i) {
     const RandomSet set(static_cast<std::uint64_t>(1000 + i));
+    const double a = arcs(set.problem), b = spline(set.problem);
     for (const double k : {4.0, 0.3}) {
-      const double a = arcs(set.problem), b = spline(set.problem);
-      EXPECT_NEAR(arcs(scaled(set.problem, k)), k * a, 1e-9 * k * a) << set.words;
-      EXPECT_NEAR(spline(scaled(set.problem, k)), k * b, 1e-9 * k * b) << set.words;
+      EXPECT_NEAR(arcs(scaled(set.problem, k)), k * a, 1e-12 * k * a) << set.words;
+      EXPECT_NEAR(spline(scaled(set.problem, k)), k * b, 1e-12 * k * b) << set.words;
     }
+  }
+}
+
+TEST(ProbeMonotone, TimeIsOnlyAScaleOfOptimal) {
+  const std::vector<ProbeProblem> problems{
+      problem({{0, 0}, {5, 0}, {5, 5}}, 0.05), problem({{3, 1}, {9, 1}, {4, 1}}, 0),
+      problem({{0, 0, 0}, {1.2, 0.3, 0.1}, {2, 1.4, 0.9}, {0.9, 2, 2.2}}, 0.1, 3, 7, 90, 2500, 70000)};
+  for (const ProbeProblem& p : problems) {
+    const double duration = optimal(p);
+    for (const double k : {0.37, 1.0 / 3, 2.0, 10.0})
+      EXPECT_NEAR(optimal(scaled(p, k)), k * duration, 1e-12 * k * duration) << k << " " << p.points.size();
   }
 }
 

@@ -103,5 +103,35 @@ TEST(ProbeMotion, SlowedPiecesThatAreCarriedMeetExactlyAndDoNotDriftAway) {
   }
 }
 
+/// After minutes, rounding of times moves the place at which a piece comes to rest; what follows begins there.
+TEST(ProbeMotion, StraightsBeginWhereThePieceBeforeThemSettles) {
+  constexpr double h = 0.1, idle = 1000;
+  Polynomial move{0, 0, 0, 0};
+  for (const double c : probe::landing<double>(1, 0, 0, 0, h)) move.push_back(c);
+  const Polynomial second = shifted(move, h / 2, 1), third{1, 0, 0, 0, 8000};
+  const auto end = state_at(third, 0.02);
+  ProbeMotion m;
+  m.motion = std::make_shared<const SplineMotion>(
+      std::vector<SplineMotion::Piece>{{idle, {{0}}},
+                                       {idle + h / 2, {move}},
+                                       {idle + h, {second}},
+                                       {idle + h + 0.02, {third}},
+                                       {idle + h + 0.06, {{end[0], end[1], end[2] / 2, end[3] / 6, -8000}}}});
+  m.durations = {idle, h / 2, h / 2, 0.02, 0.04};
+  m.times = {0, m.motion->duration()};
+  m.joints = {PieceJoint::exact, PieceJoint::landing, PieceJoint::settling, PieceJoint::exact, PieceJoint::exact};
+  double largest = 0;
+  for (const double factor : {1.00013, 1.0007, 1.0011, 1.0019}) {
+    const ProbeMotion s = slowed(m, factor);
+    for (const std::size_t i : {3u, 4u}) {
+      const double t = s.motion->begin(i);
+      EXPECT_NEAR(s.motion->in_piece(i, t).position[0], s.motion->in_piece(i - 1, t).position[0], i == 3 ? 0 : 1e-13);
+    }
+    largest = std::max(largest, std::abs(s.motion->in_piece(3, s.motion->begin(3)).position[0] - 1));
+  }
+  EXPECT_GT(largest, 1e-14);  // it did move
+  EXPECT_LT(largest, 1e-11);
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -2,6 +2,7 @@
 #include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/spline/spline.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/probe/probe_cases.hpp"
 

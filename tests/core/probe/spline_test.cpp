@@ -1,7 +1,7 @@
 #include "core/probe/spline/spline.hpp"
 
 #include "core/base/progress.hpp"
-#include "core/probe/arcs/arcs.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "tests/core/probe/probe_cases.hpp"
 
 namespace bahnwerk {
@@ -47,6 +47,21 @@ TEST(Spline, DensePointsArePassedAtNominalSpeed) {
     const double at_speed = 2 * M_PI * 9 / 20;
     EXPECT_LT(spline(p).duration(), 1.25 * (at_speed + 0.17)) << n;
   }
+}
+
+TEST(Spline, ThousandsOfPointsWithManyRestsAreRightToTheEnd) {
+  // Splines and rests alternate for minutes; served motions are slowed to whole cycles.
+  Random random(7);
+  std::vector<Vec> points{{0, 0}};
+  for (int i = 0; i < 2500; ++i) {
+    const double step = i % 50 < 25 ? 1 : 0.02;  // a walk, and a straight with noise
+    points.push_back(points.back() + Vec{step * random.uniform(-1, 1) + (1 - step), step * random.uniform(-1, 1)});
+  }
+  const ProbeProblem p = problem(points, 0.05);
+  const ProbeMotion plan = spline(p);
+  EXPECT_LT(plan.duration(), 0.95 * stops_duration(p));
+  const double whole = 0.05 * std::ceil(plan.duration() / 0.05);
+  expect_right(p, slowed(plan, whole / plan.duration(), whole));
 }
 
 TEST(Spline, PhasesTooShortForTheirRoundingAreNoReasonToBeSlowerThanRests) {

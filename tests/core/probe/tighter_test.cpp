@@ -14,7 +14,8 @@ const std::vector<Vec> hills{{0, 0}, {2, 1}, {5, 1.4}, {7, 0.2}, {9, -1}};
 
 TEST(Tighter, EveryProblemKeepsTheGivenValues) {
   const ProbeProblem p = problem(hills, 0.3);
-  const std::vector<ProbeProblem> list = probe::with_tighter(p);
+  std::vector<ProbeProblem> list = probe::slower_problems(p, 2);
+  for (ProbeProblem& weaker : probe::weaker_problems(p)) list.push_back(std::move(weaker));
   ASSERT_GT(list.size(), 5u);
   for (const ProbeProblem& q : list) {
     EXPECT_LE(q.speed, p.speed);
@@ -26,6 +27,28 @@ TEST(Tighter, EveryProblemKeepsTheGivenValues) {
       EXPECT_LE(q.axis(k).snap, p.axis(k).snap);
     }
   }
+}
+
+TEST(Tighter, SpeedsThatAreTooLowForAKnownDurationAreLeftOut) {
+  // The polyline is 10.1 mm long.
+  const ProbeProblem p = problem(hills, 0.3);
+  for (const double duration : {0.7, 1.0, 4.0})
+    for (const ProbeProblem& q : probe::slower_problems(p, duration)) EXPECT_GT(q.speed, 10 / duration);
+  EXPECT_GT(probe::slower_problems(p, 4).size(), probe::slower_problems(p, 0.7).size());
+}
+
+TEST(Tighter, AQuantityIsScaledUpToItsGivenValue) {
+  const ProbeProblem p = problem(hills, 0.3);
+  ProbeProblem q = p;
+  EXPECT_FALSE(probe::scale_quantity(q, probe::TightenedQuantity::jerk, 1.1, p));
+  EXPECT_TRUE(probe::scale_quantity(q, probe::TightenedQuantity::jerk, 0.5, p));
+  EXPECT_EQ(q.axis(0).jerk, p.axis(0).jerk / 2);
+  EXPECT_EQ(q.axis(1).jerk, p.axis(1).jerk / 2);
+  EXPECT_EQ(q.axis(0).snap, p.axis(0).snap);
+  EXPECT_TRUE(probe::scale_quantity(q, probe::TightenedQuantity::jerk, 3, p));
+  EXPECT_EQ(q.axis(0).jerk, p.axis(0).jerk);
+  EXPECT_TRUE(probe::scale_quantity(q, probe::TightenedQuantity::tolerance, 0.5, p));
+  EXPECT_EQ(q.tolerance, 0.15);
 }
 
 TEST(Tighter, TheLimitOfSpeedIsAboveThatOfAStraightFromRestToRest) {

@@ -3,6 +3,7 @@
 #include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/optimal/optimal.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "tests/core/probe/probe_cases.hpp"
 
 namespace bahnwerk {

@@ -5,6 +5,7 @@
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/figures.hpp"
 #include "core/probe/spline/spline.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "core/verify/probe/probe_bound.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/probe/probe_cases.hpp"
@@ -81,15 +82,6 @@ TEST(Optimal, NoiseBelowThePointToleranceCostsNothing) {
   p.point_tolerance = 3e-4;
   merge_points(p);
   EXPECT_LT(optimal(p).duration(), 2 * M_PI * 6 / 20 + 0.22);
-}
-
-TEST(Optimal, TimeScaledWithItsLimitsGivesTheScaledDuration) {
-  const std::vector<Vec> points = {{0, 0}, {4, 1}, {6, 5}, {2, 7}};
-  const double k = 2;
-  const double slow = optimal(problem(points, 0.1, 2, 20, 200, 4000, 200000)).duration();
-  const double quick =
-      optimal(problem(points, 0.1, 2, 20 * k, 200 * k * k, 4000 * k * k * k, 200000 * k * k * k * k)).duration();
-  EXPECT_NEAR(slow, k * quick, 1e-9 * slow);
 }
 
 TEST(Optimal, RandomSetsAreRightNeverSlowerThanTheirStartAndNeverBelowTheBound) {
