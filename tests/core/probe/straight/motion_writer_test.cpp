@@ -48,6 +48,20 @@ TEST(MotionWriter, TimesAddUpAsIfTheyWereNotRounded) {
   EXPECT_NEAR(writer.time(), 10000, 2e-12);
 }
 
+TEST(MotionWriter, DurationsOfCarriedPiecesSumUpToTheTime) {
+  const ProbeProblem p = probe_cases::problem({{0, 0}, {1, 0}}, 0.05);
+  MotionWriter writer(p);
+  for (int i = 0; i < 20000; ++i) {
+    writer.add(0.1 / 3 + 1e-3 * (i % 7), {1e-3, 0, 0}, {}, {}, {});
+    if (i % 2 == 0) writer.carry();
+  }
+  const ProbeMotion motion = writer.finish();
+  TimeSum sum;
+  for (const double duration : motion.durations) sum.add(duration);
+  EXPECT_NEAR(sum.value(), motion.duration(), 2.5e-16 * motion.duration());
+  EXPECT_GT(motion.duration(), 700);
+}
+
 TEST(MotionWriter, OnlyRoundingIsPutRight) {
   const ProbeProblem problem = probe_cases::problem({{0, 0}, {0.3, 0}}, 0);
   MotionWriter writer(problem);
