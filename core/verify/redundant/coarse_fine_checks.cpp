@@ -229,9 +229,23 @@ double bent_by_rounding(const CoarseFineToVerify& in, const LawPiece& before, co
   return off * most;
 }
 
+/// Returns how far rounding leaves a derivative of the head's axis k open at time t, on either side of it, inside a
+/// piece of its law: an axis that follows the head in parts of a piece has the rounding of the whole piece.
+double rounding_of_head(const CoarseFineToVerify& in, const LawPiece& p, std::size_t k, std::size_t derivative,
+                        double t) {
+  if (p.segment >= in.path.size()) return 0;
+  const PieceRounding r = rounding_of(p);
+  const LawState x = p.at(std::clamp(t - p.t0, 0.0, p.duration));
+  const AxisJet q = in.path.at(p.segment, x.s);
+  const double d1 = std::abs(q.d1[k]), d2 = std::abs(q.d2[k]), d3 = std::abs(q.d3[k]), v = x.v, a = std::abs(x.a);
+  if (derivative == 0) return 2 * d1 * r.position;
+  if (derivative == 1) return 2 * (d1 * r.speed + d2 * v * r.position);
+  return 2 * (d1 * r.acceleration + 2 * d2 * v * r.speed + (d3 * v * v + d2 * a) * r.position);
+}
+
 /// Returns the jumps that a coarse axis may have at time t: of its position by the head's rounding, of its derivatives
-/// by the head's own jumps at joints as far as rounding of points causes them; an axis without fine axis may also jump
-/// at a tangent jump like any axis of a machine.
+/// by the head's own jumps at joints as far as rounding of points causes them, and by the rounding of its law; an axis
+/// without fine axis may also jump at a tangent jump like any axis of a machine.
 double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t derivative, double t) {
   if (derivative > 2) return 0;
   const bool rounded = derivative > 0 && in.fine_axes[k].highest > least_stroke;
@@ -244,6 +258,7 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
   auto piece = std::lower_bound(pieces.begin(), pieces.end(), t - blur,
                                 [](const LawPiece& p, double time) { return p.t0 < time; });
   double jump = 0, bends = 0;
+  const double inside = piece == pieces.begin() ? 0 : rounding_of_head(in, *(piece - 1), k, derivative, t);
   for (; piece != pieces.end() && piece->t0 <= t + blur; ++piece) {
     if (piece == pieces.begin() || piece->segment >= in.path.size()) continue;
     bends = std::max(bends, bent_by_rounding(in, *(piece - 1), *piece, k, derivative));
@@ -268,7 +283,7 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
     const double v = std::max(end.v, piece->v), a = std::max(std::abs(end.a), std::abs(piece->a));
     jump = std::max(jump, derivative == 1 ? tangent * v : curvature * v * v + tangent * a);
   }
-  return std::min(jump, most) * (1 + 1e-9) + bends;
+  return std::min(jump, most) * (1 + 1e-9) + bends + inside;
 }
 
 }  // namespace
