@@ -30,19 +30,20 @@ struct Section {
 class SplinePlanner {
  public:
   SplinePlanner(const ProbeProblem& problem, bool jerks)
-      : problem_(problem), jerks_(jerks), row_end_(straight_rows(problem)) {}
+      : problem_(problem), jerks_(jerks), many_(has_many_points(problem)), row_end_(straight_rows(problem)) {}
 
   void solve(ProgressScope& progress) {
-    // Sections that are still to be planned, the first one on top.
-    std::vector<std::pair<std::size_t, std::size_t>> open{{0, problem_.points.size() - 1}};
+    // Parts that are still to be planned, the first one on top.
+    std::vector<Part> open{{0, problem_.points.size() - 1}};
     while (!open.empty()) {
-      const auto [first, last] = open.back();
+      const auto [first, last, level] = open.back();
       open.pop_back();
-      if (row_end_[first] >= last) {
+      const bool late = many_ && level >= late_level;
+      if (row_end_[first] >= last || (many_ && level >= last_level)) {
         take_rests(first, last);
         continue;
       }
-      auto run = std::make_unique<SplineRun>(problem_, first, last, jerks_);
+      auto run = std::make_unique<SplineRun>(problem_, first, last, jerks_, late);
       const bool found = run->solve(progress);
       const std::vector<std::size_t> rests = run->rests();
       if (found) {
@@ -56,12 +57,15 @@ class SplinePlanner {
         }
         whole_.push_back({first, last, std::move(run)});
       }
+      const auto divide = [&, whole = last - first, above = level](std::size_t from, std::size_t to) {
+        open.push_back({from, to, above + (2 * (to - from) > whole ? 1 : 0)});
+      };
       std::size_t end = last;
       for (std::size_t i = rests.size(); i-- > 0;) {
-        open.emplace_back(rests[i], end);
+        divide(rests[i], end);
         end = rests[i];
       }
-      open.emplace_back(first, end);
+      divide(first, end);
     }
     prefer_whole();
     prefer_rows();
@@ -84,6 +88,13 @@ class SplinePlanner {
   }
 
  private:
+  /// Rests that are found one after the other at an end of a part leave most of it to be planned once more. A point is
+  /// planned within at most last_level such parts, and within log₂(points) others.
+  static constexpr std::size_t late_level = 6, last_level = 10;
+  struct Part {
+    std::size_t first = 0, last = 0;
+    std::size_t level = 0;  // how many times it was more than half of what was divided
+  };
   std::size_t next(std::size_t i, std::size_t last) const { return std::min(last, row_end_[i]); }
   double resting(std::size_t first, std::size_t last) const {
     double sum = 0;
@@ -164,7 +175,7 @@ class SplinePlanner {
   }
 
   const ProbeProblem& problem_;
-  bool jerks_;
+  bool jerks_, many_;
   std::vector<std::size_t> row_end_;
   std::vector<Section> sections_, whole_;  // in order of points; those that were divided, outer ones first
   double duration_ = 0;
@@ -182,7 +193,7 @@ class SplineSearch {
     scope_.part(0, 0.1);
     const std::size_t points = problem_.points.size();
     starts_.push_back(offer(problem_, true));
-    if (points > many) return;
+    if (has_many_points(problem_)) return;
     starts_.push_back(offer(problem_, false));
     offer_all(slower_problems(problem_, best_->duration()));
     offer_all(weaker_problems(problem_));
@@ -194,7 +205,6 @@ class SplineSearch {
 
  private:
   static constexpr std::size_t few = 40, some = 100;  // points: up to there hundreds of plans take less than a second
-  static constexpr std::size_t many = 2000;           // points: from there on one rule for jerks has to do
 
   struct Candidate {
     double duration;

@@ -9,7 +9,6 @@
 namespace bahnwerk::probe {
 namespace {
 
-constexpr std::size_t many = 2000;         // points: from there on there are fewer rounds
 constexpr double least_share = 0.04;       // of velocity at a point: below it the head rests there
 constexpr double quick_least_share = 0.3;  // where there are many points
 
@@ -27,11 +26,16 @@ ProfileLimits limits_anywhere(const ProbeProblem& problem) {
 
 }  // namespace
 
-SplineRun::SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks)
+bool has_many_points(const ProbeProblem& problem) { return problem.points.size() > 2000; }
+
+SplineRun::SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks, bool rest_soon)
     : problem_(problem),
       first_(first),
       jerks_(jerks),
-      quick_(problem.points.size() > many),
+      quick_(has_many_points(problem)),
+      least_share_(rest_soon ? 1
+                   : quick_  ? quick_least_share
+                             : least_share),
       rounding_(coordinate_rounding(problem)),
       length_(last - first),
       time_(last - first),
@@ -191,7 +195,7 @@ void SplineRun::reduce(const std::vector<Strains>& strains) {
   }
   for (std::size_t i = 1; i < intervals(); ++i) {
     share_[i] *= factor[i];
-    if (share_[i] < (quick_ ? quick_least_share : least_share)) rests_.push_back(first_ + i);
+    if (share_[i] < least_share_) rests_.push_back(first_ + i);
   }
 }
 

@@ -10,10 +10,14 @@
 
 namespace bahnwerk::probe {
 
+/// Returns whether there are so many points that one rule for jerks and fewer rounds have to do.
+bool has_many_points(const ProbeProblem& problem);
+
 class SplineRun {
  public:
-  /// The spline goes from rest at point `first` to rest at point `last`; `jerks`: with jerks at the points.
-  SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks);
+  /// The spline goes from rest at point `first` to rest at point `last`; `jerks`: with jerks at the points;
+  /// `rest_soon`: whatever point had to be reduced is one of rests().
+  SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks, bool rest_soon = false);
 
   /// Returns whether times were found. If rests() is not empty, resting there may be quicker or, without times,
   /// necessary.
@@ -61,6 +65,7 @@ class SplineRun {
   const ProbeProblem& problem_;
   std::size_t first_;
   bool jerks_, quick_;
+  double least_share_;                         // of velocity at a point: below it the head rests there
   double rounding_, reach_ = 0;                // mm: of distances; along which speeds change
   std::vector<double> length_, time_, share_;  // per interval, per interval, λ per point
   std::vector<SepticEnd> ends_;                // per point

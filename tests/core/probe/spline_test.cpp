@@ -64,6 +64,27 @@ TEST(Spline, ThousandsOfPointsWithManyRestsAreRightToTheEnd) {
   expect_right(p, slowed(plan, whole / plan.duration(), whole));
 }
 
+/// A zigzag rests at every point; a run finds the ones next to its ends first.
+TEST(Spline, WhatAZigzagTakesGrowsLinearlyWithItsPoints) {
+  struct Counting : Progress {
+    std::size_t reports = 0;
+    void report(std::string_view, double, std::string_view) override { ++reports; }
+  };
+  const auto reports = [](std::size_t n) {
+    std::vector<Vec> points;
+    for (std::size_t i = 0; i < n; ++i)
+      points.push_back({5.0 * static_cast<double>(i), 10.0 * static_cast<double>(i % 2)});
+    const ProbeProblem p = problem(points, 0.3, 2, 10, 250, 5000, 250000);
+    Counting counting;
+    const ProbeMotion plan = plan_spline(p, counting);
+    EXPECT_LE(plan.duration(), stops_duration(p) * (1 + 1e-9)) << n;
+    return counting.reports;
+  };
+  const std::size_t few = reports(2100), many = reports(8400);
+  EXPECT_GT(few, 10u);
+  EXPECT_LE(many, 5 * few) << few;
+}
+
 TEST(Spline, PhasesTooShortForTheirRoundingAreNoReasonToBeSlowerThanRests) {
   // The jerk is reached within 4e-12 s.
   const ProbeProblem p = problem({{0, 0}, {5, 0}, {5, 5}}, 0.05, 2, 20, 200, 4000, 1e15);
