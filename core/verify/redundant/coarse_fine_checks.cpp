@@ -258,7 +258,8 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
   auto piece = std::lower_bound(pieces.begin(), pieces.end(), t - blur,
                                 [](const LawPiece& p, double time) { return p.t0 < time; });
   double jump = 0, bends = 0;
-  const double inside = piece == pieces.begin() ? 0 : rounding_of_head(in, *(piece - 1), k, derivative, t);
+  const bool border = piece != pieces.end() && piece->t0 <= t + blur;  // of two pieces of the law
+  const double inside = border || piece == pieces.begin() ? 0 : rounding_of_head(in, *(piece - 1), k, derivative, t);
   for (; piece != pieces.end() && piece->t0 <= t + blur; ++piece) {
     if (piece == pieces.begin() || piece->segment >= in.path.size()) continue;
     bends = std::max(bends, bent_by_rounding(in, *(piece - 1), *piece, k, derivative));
