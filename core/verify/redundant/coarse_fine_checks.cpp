@@ -212,6 +212,11 @@ double turned_by(const AxisPath& path, std::size_t segment, const AxisJet& q) {
   return 1 / path[segment].length() + std::sqrt(bent);
 }
 
+/// Returns by how much derivative 1 or 2 of axis k changes with the place along the path, per mm.
+double change_along(const AxisJet& q, const LawState& x, std::size_t k, std::size_t derivative) {
+  return derivative == 1 ? std::abs(q.d2[k]) * x.v : std::abs(q.d3[k]) * x.v * x.v + std::abs(q.d2[k] * x.a);
+}
+
 /// Returns the jump of a coarse axis' velocity, for an axis that follows the path, caused by rounding of path lengths
 /// where two pieces of the law meet.
 double bent_by_rounding(const CoarseFineToVerify& in, const LawPiece& before, const LawPiece& after, std::size_t k,
@@ -223,8 +228,7 @@ double bent_by_rounding(const CoarseFineToVerify& in, const LawPiece& before, co
     const LawPiece& p = behind ? after : before;
     const LawState x = behind ? p.at(0) : p.at(p.duration);
     const AxisJet q = in.path.at(p.segment, behind ? p.s : p.s_end);
-    most = std::max(
-        most, derivative == 1 ? std::abs(q.d2[k]) * x.v : std::abs(q.d3[k]) * x.v * x.v + std::abs(q.d2[k] * x.a));
+    most = std::max(most, change_along(q, x, k, derivative));
   }
   return off * most;
 }
@@ -237,10 +241,10 @@ double rounding_of_head(const CoarseFineToVerify& in, const LawPiece& p, std::si
   const PieceRounding r = rounding_of(p);
   const LawState x = p.at(std::clamp(t - p.t0, 0.0, p.duration));
   const AxisJet q = in.path.at(p.segment, x.s);
-  const double d1 = std::abs(q.d1[k]), d2 = std::abs(q.d2[k]), d3 = std::abs(q.d3[k]), v = x.v, a = std::abs(x.a);
+  const double d1 = std::abs(q.d1[k]);
   if (derivative == 0) return 2 * d1 * r.position;
-  if (derivative == 1) return 2 * (d1 * r.speed + d2 * v * r.position);
-  return 2 * (d1 * r.acceleration + 2 * d2 * v * r.speed + (d3 * v * v + d2 * a) * r.position);
+  const double own = derivative == 1 ? d1 * r.speed : d1 * r.acceleration + 2 * std::abs(q.d2[k]) * x.v * r.speed;
+  return 2 * (own + change_along(q, x, k, derivative) * r.position);
 }
 
 /// Returns the jumps that a coarse axis may have at time t: of its position by the head's rounding, of its derivatives
