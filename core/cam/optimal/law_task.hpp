@@ -34,7 +34,7 @@ struct LawTask {
   /// A section whose law is known, over the parameter 0 … 1: with other times of its points it is stretched.
   struct Given {
     GivenSection law;                           ///< breaks from 0 to 1, positions in these units
-    std::array<double, limited_orders> peak{};  ///< of |derivative| by order, for a length of 1
+    std::array<double, limited_orders> peak{};  ///< largest |derivative| by order, for a length of 1
     /// The largest |s^(order)| where the section lasts `length`.
     double peak_at(int order, double length) const;
   };

@@ -25,8 +25,8 @@ class RelaxationProgram {
   static std::size_t variable(std::size_t node, int order) { return 3 * node + static_cast<std::size_t>(order); }
   bool counted(std::size_t order) const { return counted_[order]; }
   std::size_t peak_variable(std::size_t order) const { return band_.border_index(border_[order]); }
-  double peak_unit(std::size_t order) const { return unit_[order]; }       ///< of an order's peak
-  double node_unit(std::size_t order) const { return node_unit_[order]; }  ///< of a node's value
+  double peak_unit(std::size_t order) const { return unit_[order]; }       ///< unit of the peak of an order
+  double node_unit(std::size_t order) const { return node_unit_[order]; }  ///< unit of a node's value of an order
   double objective_unit() const { return scale_; }
 
  private:

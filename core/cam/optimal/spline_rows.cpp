@@ -74,7 +74,7 @@ void SplineProgram::build_equalities() {
     }
   };
   for (std::size_t point = 0; point < task_.points(); ++point) {
-    const bool last = point == sections;  // of an open law
+    const bool last = point == sections;  // the end of an open law
     if (point > 0 && !last) joint(point - 1, point, point, false);
     if (!last && !task_.is_given(point))
       conditions(point, point, false);

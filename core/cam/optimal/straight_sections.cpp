@@ -109,7 +109,7 @@ void check_classical_sections(const MotionLawProblem& problem) {
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   MotionLawProblem timed = problem;
   if (!timed.cycle_duration) timed.cycle_duration = 1;
-  LawTask order;  // of the points alone
+  LawTask order;  // holds the order of the points alone
   order.periodic = problem.periodic;
   order.cycle = problem.length;
   for (const MotionPoint& point : problem.points) order.at.push_back(point.at);

@@ -32,7 +32,7 @@ struct ProbePlan {
   double stops = 0;     ///< s: duration with rests at every point but for those in a row
   Cycles cycles;
   ProbeMotion motion;    ///< slowed to whole cycles: what is verified and sampled
-  ProbeFigures figures;  ///< of `motion`
+  ProbeFigures figures;  ///< figures of `motion`
   Verification verification;
   Bound bound;
   std::unique_ptr<SetpointSource> setpoints;

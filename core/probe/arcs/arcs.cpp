@@ -143,7 +143,7 @@ ProbeMotion search_arcs(const ProbeProblem& problem, double begin, ProgressScope
   if (search.single()) return search.best().write(scope);
   // Each further problem costs as much as the first one, which is seconds for some hundred points.
   constexpr std::size_t many = 100;
-  constexpr double first = 0.1;  // of the progress
+  constexpr double first = 0.1;  // share of the progress at which further problems begin
   const auto part = [&](double from, double to) { scope.part(begin + (1 - begin) * from, begin + (1 - begin) * to); };
   const bool further = problem.points.size() <= many;
   part(0, further ? first : 1);

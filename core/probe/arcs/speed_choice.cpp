@@ -9,7 +9,7 @@
 namespace bahnwerk::probe {
 namespace {
 constexpr double length_rounding = 1e-9;  // of an edge: room for what directions leave
-constexpr int speed_steps = 50;           // of bisection for a speed: to 1e-15 of the interval
+constexpr int speed_steps = 50;           // steps of the bisection for a speed: to 1e-15 of the interval
 }  // namespace
 
 SpeedChoice::SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end)
