@@ -11,10 +11,11 @@
 
 #include "api/job.hpp"
 #include "api/problem.hpp"
+#include "tests/source.hpp"
 
 namespace bahnwerk::api::test {
 
-inline std::string source(const std::string& path) { return std::string(BAHNWERK_SOURCE) + "/" + path; }
+using bahnwerk::test::source;
 
 inline std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

@@ -8,6 +8,7 @@
 #include "core/contour/builder.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/check_names.hpp"
+#include "tests/source.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -96,7 +97,7 @@ Contour circle(double radius, double run_in, double feed) {
 }
 
 TEST(Reference, CircleBetweenTwoLines) {
-  std::ifstream file(REFERENCE_DATA "/circle.csv");
+  std::ifstream file(test::source("tests/core/motion/reference/circle.csv"));
   std::string row;
   ASSERT_TRUE(std::getline(file, row));
   int rows = 0;

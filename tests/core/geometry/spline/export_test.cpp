@@ -9,6 +9,7 @@
 #include "core/geometry/spline/nurbs_path.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "tests/core/geometry/spline/spline_support.hpp"
+#include "tests/source.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -53,7 +54,8 @@ void write(const std::string& file, const NurbsPath& path, std::size_t continuit
 /// What the independent evaluation returns.
 constexpr int as_claimed = 0, not_as_claimed = 3;
 int evaluated(const std::string& file) {
-  const int status = std::system(("python3 " SOURCE_DIR "/tests/reference/nurbs_joints.py " + file).c_str());
+  const int status =
+      std::system(("python3 " + test::source("tests/reference/nurbs_joints.py") + " " + file).c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

@@ -17,6 +17,7 @@
 #include "tests/core/cases.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
+#include "tests/source.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -51,7 +52,7 @@ Problem random_problem(std::uint64_t seed) {
 
 /// What README.md says of the gap: median, nine tenths, 99 of 100, per cent.
 std::vector<double> gaps_in_readme() {
-  std::ifstream file(BAHNWERK_SOURCE "/README.md");
+  std::ifstream file(test::source("README.md"));
   std::string line;
   while (std::getline(file, line) && line.find("| gap of `jerk_limited` on") == line.npos) {
   }

@@ -9,6 +9,7 @@
 
 #include "core/contour/builder.hpp"
 #include "core/machine/machine.hpp"
+#include "tests/source.hpp"
 
 namespace bahnwerk::reference {
 
@@ -22,7 +23,7 @@ struct JerkCurve {
 
 inline std::vector<JerkCurve> jerk_curves() {
   std::vector<JerkCurve> curves;
-  std::ifstream file(BAHNWERK_SOURCE "/tests/core/motion/reference/jerk.csv");
+  std::ifstream file(test::source("tests/core/motion/reference/jerk.csv"));
   for (std::string text; std::getline(file, text);) {
     if (text.empty() || text[0] == '#') continue;
     std::vector<double> f;
