@@ -43,7 +43,7 @@ std::size_t segment_count(Random& random) {
 
 TEST_P(PlanProperty, VerifiedBoundedMonotoneReversibleDivisibleScalable) {
   Random random(1000 + static_cast<std::uint64_t>(GetParam()));
-  for (std::size_t i = 0; i < testing::cases(std::size_t{500}); ++i) {
+  for (std::size_t i = 0; i < testing::cases(std::size_t{250}); ++i) {
     SCOPED_TRACE("shard " + std::to_string(GetParam()) + " case " + std::to_string(i));
     const std::size_t dimension = random.chance(0.25) ? 3 : 2;
     const Outline outline = testing::random_outline(random, segment_count(random), dimension);

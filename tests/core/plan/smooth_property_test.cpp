@@ -14,7 +14,7 @@ namespace {
 class SmoothProperty : public ::testing::TestWithParam<int> {};
 
 TEST_P(SmoothProperty, RoundedAndJerkLimitedPlansAreVerified) {
-  const int cases = testing::cases(40);
+  const int cases = testing::cases(20);
   for (int n = 0; n < cases; ++n) {
     const int seed = 100'000 + cases * GetParam() + n;
     SCOPED_TRACE(seed);
