@@ -54,8 +54,7 @@ void write(const std::string& file, const NurbsPath& path, std::size_t continuit
 /// What the independent evaluation returns.
 constexpr int as_claimed = 0, not_as_claimed = 3;
 int evaluated(const std::string& file) {
-  const int status =
-      std::system(("python3 " + test::source("tests/reference/nurbs_joints.py") + " " + file).c_str());
+  const int status = std::system(("python3 " + test::source("tests/reference/nurbs_joints.py") + " " + file).c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
