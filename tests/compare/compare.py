@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plans the project's examples, its part files and random documents with two binaries and compares what they yield.
 
-    tests/compare/compare.py OLD NEW [--random 500] [--seed 1] [--jobs 2] [--only TEXT]
+    tests/compare/compare.py OLD NEW [--random 500] [--seed 1] [--axes 100] [--jobs 2] [--only TEXT]
 
 Prints what differs, the largest difference of each kind of value in units of its tolerance's scale, and the processor
 time of both. Exit 0: nothing differs by more than the tolerance, 1: something does, 2: usage.
@@ -83,12 +83,14 @@ def main():
     parser.add_argument("new", nargs="?", default="")
     parser.add_argument("--random", type=int, default=500, help="random documents (500)")
     parser.add_argument("--seed", type=int, default=1, help="of the random documents (1)")
+    parser.add_argument("--axes", type=int, default=0, help="random moves and programs on coarse and fine axes (0)")
     parser.add_argument("--jobs", type=int, default=2, help="documents planned at once (2)")
     parser.add_argument("--tolerance", type=float, default=1e-12, help="relative (1e-12)")
     parser.add_argument("--only", default="", help="documents whose name contains this")
     parser.add_argument("--write", metavar="DIR", help="only write the documents there")
     asked = parser.parse_args()
-    every = [*documents.examples(), *documents.part_files(), *documents.random_documents(asked.random, asked.seed)]
+    every = [*documents.examples(), *documents.part_files(), *documents.random_documents(asked.random, asked.seed),
+             *documents.axes_documents(asked.axes)]
     every = [(name, document) for name, document in every if asked.only in name]
     if asked.write:
         for name, document in every:

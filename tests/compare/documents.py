@@ -3,6 +3,7 @@ import json
 import pathlib
 import random
 
+import coarse_fine_properties
 import random_contour
 import random_slot
 import random_winding
@@ -68,3 +69,11 @@ def random_documents(count, seed):
             yield f"slot {i}", {"kind": "fill_factor", "spec": random_slot.spec(generator)}
         else:
             yield f"contour {i}", {"kind": "contour", "spec": random_contour.spec(generator)}
+
+
+def axes_documents(count):
+    """`count` lone moves and programs on machines with coarse and fine axes, each by one of the methods."""
+    for i in range(count):
+        document, jerk, _ = coarse_fine_properties.case(i // 2, coarse_fine_properties.METHODS[i % len(coarse_fine_properties.METHODS)], i % 2 == 1)
+        if not jerk or document["spec"]["machine"]["redundancy"]["method"] in coarse_fine_properties.WITH_JERK:
+            yield f"axes {i}", document
