@@ -128,7 +128,7 @@ def setpoints(found, old, new):
     names = rows[0][0].decode().strip().split(",")
     scale, worst = [0.0] * len(names), [(0.0, 0)] * len(names)
     for k in range(1, min(len(rows[0]), len(rows[1]))):
-        if not rows[0][k]:
+        if not (rows[0][k] and rows[1][k]):
             continue
         a, b = ([float(value) for value in side[k].split(b",")] for side in rows)
         for c, (x, y) in enumerate(zip(a, b)):
