@@ -9,10 +9,13 @@ import re
 import sys
 
 
-def tests_of(folder, flat):
-    """Names of the tests in the sources of a folder, as GoogleTest prints them; of an instantiated test the first one."""
-    names = set()
-    for path in folder.glob("*.cpp" if flat else "**/*.cpp"):
+def tests_of(folder, words):
+    """Names of the tests in the sources that a bahnwerk_tests(...) compiles, as GoogleTest prints them; of an instantiated test the first one."""
+    names, patterns = set(), ["**/*.cpp"]
+    if "FLAT" in words:
+        below = words[words.index("WITH") + 1 : words.index("LINK")] if "WITH" in words else []
+        patterns = ["*.cpp", *(f"{name}/*.cpp" for name in below)]
+    for path in (path for pattern in patterns for path in folder.glob(pattern)):
         text = path.read_text()
         names |= {f"{suite}.{test}" for suite, test in re.findall(r"TEST(?:_F)?\(\s*(\w+),\s*(\w+)", text)}
         for prefix, suite in re.findall(r"INSTANTIATE_TEST_SUITE_P\(\s*(\w+),\s*(\w+)", text):
@@ -24,7 +27,7 @@ def main():
     root, wrong = pathlib.Path(sys.argv[1]), []
     for lists in (root / "tests").glob("**/CMakeLists.txt"):
         for name, words in re.findall(r"^bahnwerk_tests\((\w+)([^)]*)\)", lists.read_text(), flags=re.M):
-            names = tests_of(lists.parent, "FLAT" in words.split())
+            names = tests_of(lists.parent, words.split())
             patterns = words.partition(" LONG ")[2].split()
             wrong += [f"{lists.relative_to(root)}: no test of {name} is called {p}" for p in patterns if not any(fnmatch.fnmatchcase(n, p) for n in names)]
     print("\n".join(wrong))
