@@ -30,7 +30,7 @@ class Layer {
         const GridOptions& options)
       : grid_(grid), path_(path), segment_(path[index]), index_(index), feed2_(feed * feed), options_(options) {
     for (std::size_t k = 0; k < N; ++k)
-      acceleration_[k] = machine.axes[k].acceleration, velocity_[k] = machine.axes[k].velocity;
+      acceleration_[k] = machine.axes[k].acceleration, inverse_velocity_[k] = 1 / machine.axes[k].velocity;
     inverse_acceleration_ = 1 / acceleration_;
     // A lane that repeats an axis has its name; counted twice it would make cells depend on the order of axes.
     for (std::size_t k = 0; k < N; ++k) {
@@ -105,8 +105,8 @@ class Layer {
       return lanes;
   }
 
-  /// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k.
-  /// Through kinematics axes may run evenly along a path that bends, but for rounding: their own limits count, too.
+  /// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k, and
+  /// |q'_k| v ≤ V_k. The second counts where a path is straight but for rounding: there curvature is noise.
   double curvature_cap(const Station<N>& at) const {
     Lanes<N> normal = once(at.d2);
     if (const double along = sum(once(at.d1) * at.d1); !path_.cartesian() && along > 0)
@@ -114,8 +114,7 @@ class Layer {
     const double square = sum(normal * normal);
     const double cap =
         square > 0 ? sum(magnitude(normal) * acceleration_) / square : std::numeric_limits<double>::infinity();
-    if (path_.cartesian()) return cap;
-    const double inverse = largest(magnitude(at.d1) / velocity_);
+    const double inverse = largest(magnitude(at.d1) * inverse_velocity_);
     return inverse * inverse * cap > 1 ? 1 / (inverse * inverse) : cap;
   }
 
@@ -225,7 +224,7 @@ class Layer {
   std::uint32_t index_;
   double feed2_;
   const GridOptions& options_;
-  Lanes<N> acceleration_, inverse_acceleration_, velocity_, counts_;
+  Lanes<N> acceleration_, inverse_acceleration_, inverse_velocity_, counts_;
   double smallest_ = 0, end_ = 0;
 };
 
