@@ -70,7 +70,7 @@ struct Checked {
 
 /// A comparison by the verifier: the true continuous peak of a quantity against its limit.
 struct Check : Checked {
-  double limit = 0;  ///< in the unit of the order (mm/s for order 1), like `value`
+  double limit = 0;  ///< the limit in the unit of the order (mm/s for order 1), like `value`
   double value = 0;  ///< largest (or smallest) value of the quantity
   double at = 0;     ///< s, where that value occurs
   bool passed = false;
@@ -125,7 +125,7 @@ enum class BoundSense { lower, upper };
 struct Bound {
   double value = 0;   ///< no solution within the given limits is better
   double gap = 0;     ///< fraction by which the planned solution is worse
-  std::string basis;  ///< how the bound was proven, for people
+  std::string basis;  ///< method that proves the bound, for people
   BoundQuantity quantity = BoundQuantity::duration;
   BoundSense sense = BoundSense::lower;
   std::string unit = "s";

@@ -77,8 +77,8 @@ class CamLaw {
 /// J of a law and what it is made of: all methods are compared by this.
 struct LawValue {
   double objective = 0;
-  std::array<LawPeak, limited_orders> peaks{};  ///< one per order; [0] is the largest |position|
-  std::size_t zero_crossings = 0;               ///< how often velocity and acceleration change sign inside sections
+  std::array<LawPeak, limited_orders> peaks{};  ///< peaks by order; [0] is the largest |position|
+  std::size_t zero_crossings = 0;               ///< number of sign changes of velocity and acceleration inside sections
 };
 LawValue evaluate_objective(const MotionLawProblem& problem, const CamLaw& law);
 /// weight[r], with the factor that `normalised` gives it.

@@ -48,7 +48,7 @@ struct LawObjective {
   std::array<double, limited_orders> weight{0, 1, 1, 0.1};
   /// Each peak counts as its coefficient peak · T^r / h, T the cycle's duration, h = points_stroke().
   bool normalised = false;
-  /// Added for each sign change of velocity and of acceleration inside a section; `active_set` alone.
+  /// Cost added for each sign change of velocity and of acceleration inside a section; `active_set` alone.
   double zero_crossing_penalty = 0;
 };
 
@@ -56,7 +56,7 @@ struct VibrationMode {
   double frequency = 0;  ///< Hz, of the undamped mode
   double damping = 0;    ///< ratio, 0 ≤ damping < 1
 };
-/// What a drive can do; infinite where it is not limited.
+/// Limits of a drive; infinite where it is not limited.
 struct DriveLimits {
   double velocity = std::numeric_limits<double>::infinity();
   double acceleration = std::numeric_limits<double>::infinity();
@@ -80,7 +80,7 @@ struct MotionLawProblem {
   std::uint64_t seed = 1;
 
   std::size_t sections() const { return periodic ? points.size() : points.size() - 1; }
-  /// Where section i ends.
+  /// Returns the point at which section i ends.
   std::size_t end_point(std::size_t section) const { return section + 1 < points.size() ? section + 1 : 0; }
   /// Derivatives 0 … continuity(i) are the same on both sides of point i: the document's, or the highest order of a
   /// value or range there if that is larger. It has no meaning at the ends of an open law.

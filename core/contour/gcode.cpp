@@ -95,7 +95,7 @@ class Reading {
     return false;
   }
 
-  /// Behind the end only subprograms may follow.
+  /// Only subprograms may follow the end of the program.
   void rest() {
     gcode::Line line;
     while (!control_.used() && lines_.next(line, options_.block_delete)) {

@@ -9,7 +9,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double binds = 0.95;  // of a limit
+constexpr double binds = 0.95;  // part of a limit from which on it binds
 
 struct Line {
   std::size_t source = 0;

@@ -20,7 +20,7 @@ struct StoreError : std::runtime_error {
 
 struct NewJob {
   api::JobRequest request;
-  std::string idempotency_key;  ///< empty = none
+  std::string idempotency_key;  ///< key of an idempotent request; empty: none
   std::string body_hash;        ///< hash of the posted body; compared when the key was used before
   std::int64_t now = 0;
   std::size_t max_queued = 0;  ///< refuses the job when this many already wait

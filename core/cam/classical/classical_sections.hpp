@@ -15,7 +15,7 @@
 
 namespace bahnwerk::cam {
 
-/// What a law begins and ends with: position, velocity, acceleration, jerk.
+/// State in which a law begins or ends: position, velocity, acceleration, jerk.
 struct SectionEnds {
   double from[4]{}, to[4]{};
 };

@@ -12,9 +12,9 @@ namespace bahnwerk::cam {
 struct DegreeChoice {
   int degree = 0, pieces = 1;
   SplineResult spline;  ///< angles and coefficients
-  double bound = 0;     ///< over all laws
-  std::string basis;    ///< what the bound rests on
-  int programs = 0;     ///< solved
+  double bound = 0;     ///< lower bound of J over all laws
+  std::string basis;    ///< method that proves the bound, for people
+  int programs = 0;     ///< number of programs solved
   std::vector<std::string> notes;
 };
 

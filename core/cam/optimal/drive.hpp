@@ -13,7 +13,7 @@ struct ShortestCycle {
   double duration = 0;   ///< s; the law's
   double too_short = 0;  ///< s; no law of this degree is within the limits in this time or, where monotone, in less
   bool monotone = true;
-  SplineResult spline;  ///< its units are those of the task with `duration`
+  SplineResult spline;  ///< the spline in the units of the task with `duration`
   int degree = 0, pieces = 1;
   int programs = 0;
 };

@@ -30,7 +30,7 @@ Range extremes_of(const GivenSection& section, int order) {
   return out;
 }
 
-/// Over the parameter 0 … 1, positions in the task's units.
+/// Returns the law over the parameter 0 … 1, with positions in the task's units.
 LawTask::Given over_unit(const LawTask& task, GivenSection law) {
   const double first = law.breaks.front(), length = law.breaks.back() - first;
   for (double& t : law.breaks) t = (t - first) / length;

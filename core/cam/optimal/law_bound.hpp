@@ -13,7 +13,7 @@ namespace bahnwerk::cam {
 
 struct AllLawsBound {
   double objective = 0;
-  std::size_t programs = 0;  ///< solved
+  std::size_t programs = 0;  ///< number of programs solved
   bool complete = true;      ///< the boxes left do not matter at the asked gap
 };
 /// Over all angles in their ranges: branch and bound over boxes of angles, best first, at most `programs` of them;

@@ -22,7 +22,7 @@ std::string number(double value) {
   return text;
 }
 
-/// Both ends of a straight section: the numbers of its points, where there are any.
+/// Both ends of a straight section: the numbers of its points, if there are any.
 std::vector<double> straight_line(const MotionLawProblem& problem, const LawTask& task, std::size_t section,
                                   double begin, double length) {
   const double rise = *task.constant_velocity(section) * length * task.unit_position;

@@ -20,7 +20,7 @@ struct RelaxationNode {
   int joined = 0;       ///< derivatives 0 … joined − 1 are those of the node before it
 };
 struct RelaxationCell {
-  std::size_t left;     ///< its nodes: left, left + 1
+  std::size_t left;     ///< left node of the cell; left + 1 is the right one
   int smooth;           ///< derivatives up to this order are certainly continuous inside, 2 at most
   std::size_t section;  ///< the section that it certainly belongs to; LawTask::none: several may have it
 };

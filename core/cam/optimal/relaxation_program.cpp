@@ -53,7 +53,7 @@ RelaxationProgram::RelaxationProgram(const LawTask& task, const std::vector<Rang
 /// Peaks are not below those of given sections.
 void RelaxationProgram::add_floors() {
   for (std::size_t r = 1; r < limited_orders; ++r) {
-    double floor = 0;  // with the longest sections that the ranges allow
+    double floor = 0;  // peak in the longest sections that the ranges allow
     for (std::size_t s = 0; s < task_.given.size() && counted_[r]; ++s) {
       if (!task_.given[s]) continue;
       const std::size_t end = task_.end_point(s);

@@ -48,7 +48,7 @@ class RelaxationProgram {
   std::array<std::size_t, limited_orders> border_{};
   double node_unit_[3];
   double scale_ = 0;
-  std::vector<bool> pinned_;  // by variable
+  std::vector<bool> pinned_;  // whether each variable is pinned to 0
 };
 
 }  // namespace bahnwerk::cam

@@ -25,7 +25,7 @@ class SectionBasis {
 
  private:
   std::size_t degree_, pieces_;
-  std::vector<double> to_bernstein_;  // per piece: row j = Bernstein coefficient j; none with one piece
+  std::vector<double> to_bernstein_;  // matrix of each piece: row j gives Bernstein coefficient j; none with one piece
 };
 
 /// Replaces the n Bernstein coefficients of a polynomial by the n − 1 of its derivative with respect to v.

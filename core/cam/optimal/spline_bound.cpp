@@ -84,7 +84,7 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
     for (std::size_t i = 0; i < band_.band_variables(); ++i)
       magnitude = std::max(magnitude, 1e3 * std::abs(point_.x[i]));
   }
-  // What the residual of a section's coefficients is worth, as a sum of values of the law at points.
+  // The residual of a section's coefficients is written as a sum of values of the law at points.
   Eigen::MatrixXd collocation = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
   std::vector<double> weights(n + 1);
   for (std::size_t j = 0; j < size; ++j) {
@@ -99,7 +99,7 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
   }
   const Eigen::PartialPivLU<Eigen::MatrixXd> factors(collocation);
   for (std::size_t section = 0; section < task_.sections(); ++section) {
-    if (task_.is_given(section)) continue;  // its variables are 0
+    if (task_.is_given(section)) continue;  // the variables of a given section are 0
     const Eigen::Map<const Eigen::VectorXd> residual(dual.residual.data() + section * size,
                                                      static_cast<Eigen::Index>(size));
     const double apart = reach(section, upper, law.peaks[1]), price = factors.solve(residual).lpNorm<1>();
@@ -144,8 +144,8 @@ void SplineProgram::settle_equalities() {
   }
 }
 
-/// What the interior-point method has left at points: equalities where its last factors were bad, and ranges by as
-/// little as a program may. The smoothest change takes both out.
+/// The interior-point method has left residuals at points: of equalities where its last factors were bad, and of ranges
+/// by as little as a program may. The smoothest change takes both out.
 void SplineProgram::settle_points() {
   constexpr double rounding = 1e-13;
   const std::vector<double>& g = band_.inequality_side();

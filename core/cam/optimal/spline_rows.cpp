@@ -12,7 +12,7 @@ void SplineProgram::add_time_terms(std::size_t section, std::size_t first, const
   if (!reference_ || order == 0) return;
   double value = 0;
   for (std::size_t k = 0; k < weights.size(); ++k) value += weights[k] * reference_->coefficients[first + k];
-  const double slope = -factor * value * order / lengths_[section];  // over the section's length
+  const double slope = -factor * value * order / lengths_[section];  // change with the section's length
   const std::size_t end = task_.periodic ? task_.end_point(section) : section + 1;
   if (time_border_[section] != BorderedRow::none) out.push_back({time_border_[section], -slope});
   if (time_border_[end] != BorderedRow::none) out.push_back({time_border_[end], slope});

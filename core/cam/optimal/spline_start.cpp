@@ -1,4 +1,4 @@
-/// Where the interior-point method begins: the smoothest law, units, slacks and multipliers.
+/// Start of the interior-point method: the smoothest law, units, slacks and multipliers.
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace bahnwerk::cam {
 
-/// What keeps the squares of rows to the order of the equalities.
+/// Factor that keeps the squares of rows to the order of the equalities.
 double SplineProgram::row_weight() const {
   double steepest = 1;
   std::vector<double> magnitudes(basis_.degree() + 1);

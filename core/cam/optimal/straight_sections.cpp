@@ -52,7 +52,7 @@ void check_angles(const MotionLawProblem& problem, std::size_t section, Faults& 
                "as a number, or take method active_set"});
 }
 
-/// Between still points something has to be free.
+/// Checks that something is free between still points.
 void check_still_points(const MotionLawProblem& problem, Faults& faults) {
   std::vector<std::size_t> still;
   for (std::size_t p = 0; p < problem.points.size(); ++p)

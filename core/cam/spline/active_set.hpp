@@ -18,8 +18,8 @@ namespace bahnwerk::cam {
 
 struct ActiveSetOptions {
   std::size_t distributions = 64;  ///< the most ties of degrees per set of conversions
-  std::size_t sections = 1000;     ///< solved once there is a law, about: linear systems times their sections
-  bool source_order_only = false;  ///< no other order of conversion, one distribution until the end
+  std::size_t sections = 1000;     ///< approximate effort once there is a law: linear systems times their sections
+  bool source_order_only = false;  ///< tries the source's order of conversion alone, one distribution to the end
 };
 
 /// The conditions of a problem with chosen angles: values, sections of classical laws, no ranges yet.

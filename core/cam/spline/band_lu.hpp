@@ -24,8 +24,8 @@ class BandLu {
   double pivot_ratio() const { return pivot_ratio_; }
 
   struct NullVectors {
-    double smallest = 0;              ///< singular value
-    std::vector<double> left, right;  ///< its singular vectors, unit length
+    double smallest = 0;              ///< smallest singular value
+    std::vector<double> left, right;  ///< singular vectors of `smallest`, unit length
   };
   /// The smallest singular value and its vectors, by inverse iteration.
   NullVectors null_vectors(int iterations = 40) const;

@@ -9,7 +9,8 @@
 
 namespace bahnwerk::cam {
 
-/// How many of a point's `total` conditions the section before it may take; the section behind it takes the others.
+/// Range of the number of a point's `total` conditions that the section before it may take; the section behind it takes
+/// the others.
 struct PointShare {
   int total = 0;
   int before_min = 0, before_max = 0;

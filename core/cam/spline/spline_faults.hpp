@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong with a spline's conditions, at the places of the document where it is.
+/// Faults of a spline's conditions, at the places of the document where they are.
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What a controller makes of a cam table: points with derivatives by the master, joined by straight lines or by
-/// polynomials of degree 5 or 7, and how far that is from the law.
+/// Motion that a controller makes of a cam table: points with derivatives by the master, joined by straight lines or by
+/// polynomials of degree 5 or 7, and its distance from the law.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace bahnwerk::cam {
 
-/// How a controller goes from a point to the next one.
+/// Curve on which a controller goes from a point to the next one.
 enum class Between { straight, quintic, septic };
 
 /// Derivatives are by the master: unit per master's unit to the power of the order, on the side of the law behind the
 /// point (the last point: before it).
 struct TablePoint {
   double master = 0, position = 0, velocity = 0, acceleration = 0, jerk = 0;
-  Between next = Between::straight;  ///< how the law goes on from here
+  Between next = Between::straight;  ///< curve from this point to the next one
 };
 
 /// The cycle that a table shows: where it begins, how long it is in master's units, and in s.
@@ -30,7 +30,7 @@ struct ControllerTable {
   std::array<double, 4> error{};
 };
 
-/// Equal steps.
+/// Makes a table with equal steps.
 ControllerTable even_table(const CamLaw& law, const TableCycle& cycle, std::size_t steps, Between between);
 
 /// Points at the breaks of the law, pieces divided into 1, 2, 4 … 64 equal parts until the table is within 1e-6 of the

@@ -23,7 +23,7 @@ inline constexpr int key_dwell = 40, key_reference = 280, key_m = 100'000, key_s
                      key_look_ahead = 200'010, key_text_end = 200'011, key_main_end = 200'012, key_initial = 200'013,
                      key_peck = 200'014;
 
-/// What a line requests of the order of execution: M98, M99.
+/// Request of a line to the order of execution: M98, M99.
 struct Request {
   int program = -1;
   std::size_t repeats = 1;

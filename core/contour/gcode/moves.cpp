@@ -10,7 +10,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double largest = 1e9;  // mm
-constexpr int max_turns = 1000;  // most turns of one helix
+constexpr int max_turns = 1000;  // largest number of turns of one helix
 
 }  // namespace
 

@@ -26,7 +26,7 @@ void Interpreter::dwell_time(const Line& line) {
   if (!line.has('P') && line.any(letters("YZ"))) fault("a dwell takes no coordinates: give its time with P");
 }
 
-/// Behind the line's switches and before its motion.
+/// Dwells after the line's switches and before its motion.
 void Interpreter::dwell(const Line& line) {
   if (!dwell_) return;
   if (!(*dwell_ >= 0 && *dwell_ <= longest_rest)) return fault("a dwell (G4) lasts between 0 and 86400 s");

@@ -134,7 +134,7 @@ std::vector<Edge> joined(std::vector<Edge> parts, Progress* progress) {
     }
     double doubled = 0;
     const Point origin =
-        loop.front().from;  // relative to a point of the loop: far from (0, 0) rounding would make an area
+        loop.front().from;  // origin at a point of the loop: far from (0, 0) rounding would make an area
     for (Edge edge : loop) {
       edge.from -= origin;
       edge.to -= origin;

@@ -20,7 +20,7 @@ class Motion {
  public:
   virtual ~Motion() = default;
   virtual std::size_t axes() const = 0;               ///< 1 … max_axes
-  virtual std::size_t pieces() const = 0;             ///< at least 1
+  virtual std::size_t pieces() const = 0;             ///< number of pieces, at least 1
   virtual double begin(std::size_t piece) const = 0;  ///< time at which a piece begins, s; 0 for the first, ascending
   virtual double duration() const = 0;                ///< s; the last piece ends there
   /// Returns the state at t inside piece `piece`; at its ends the one-sided limits.

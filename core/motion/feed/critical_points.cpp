@@ -66,7 +66,7 @@ class Section {
     }
   }
 
-  /// Quicker than to go from one hold to the other directly.
+  /// Returns whether the hold is quicker than going from one hold to the other directly.
   bool worthwhile(const FeedHold& left, const FeedHold& right, const FeedHold& hold, const FeedChange& rise,
                   const FeedChange& fall) const {
     const auto time = [&](double from, double to, double v) { return to > from ? (to - from) / v : 0; };

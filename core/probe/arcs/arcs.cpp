@@ -99,7 +99,7 @@ class ArcSearch {
     path.start_from(other.directions());
     path = offer(std::move(path), scope);
     const double duration = path.duration();
-    // What ends where a search has ended before is the same path again.
+    // A search that ends where another one has ended before finds that path again.
     if (duration != known && duration < promising * shortest_) polish(std::move(path), duration, scope);
   }
 

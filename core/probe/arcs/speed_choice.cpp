@@ -8,7 +8,7 @@
 
 namespace bahnwerk::probe {
 namespace {
-constexpr double length_rounding = 1e-9;  // of an edge: room for what directions leave
+constexpr double length_rounding = 1e-9;  // relative to an edge: room for the rounding of directions
 constexpr int speed_steps = 50;           // steps of the bisection for a speed: to 1e-15 of the interval
 }  // namespace
 

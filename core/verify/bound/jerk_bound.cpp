@@ -15,7 +15,7 @@ constexpr double widest_swing = 0.1;  // largest change of q″ b within a cell,
 // The largest v² of the pieces of a cell over the smallest: the relaxation knows their mean, in which a trough is lost.
 constexpr double alike = 1.2;
 constexpr std::size_t beyond = 200;  // cells by which windows of the relaxation extend further
-// Worth less than 1e-5 of the bound, through kinematics 1e-4.
+// These accuracies are worth less than 1e-5 of the bound, through kinematics 1e-4.
 constexpr double gap = 1e-4, violation = 1e-5, kinematic_gap = 3e-3, kinematic_violation = 1e-3;
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // least number of cells of a section

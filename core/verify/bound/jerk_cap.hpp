@@ -29,7 +29,7 @@
 
 namespace bahnwerk::verify {
 
-/// How far an axis keeps its direction. The default values state that nothing is known.
+/// A way, ahead or behind, on which an axis keeps its direction. The default values state that nothing is known.
 struct AxisWay {
   double displacement = 0, steps = 0,
          end = std::numeric_limits<double>::infinity();  ///< distance, mm; sum of the steps of acceleration on it, and

@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 // mm: margin of a moved tip beyond the required clearance, because links and lines come slightly nearer; and its
 // accuracy.
 constexpr double margin = 0.1, lack_exact = 1e-3;
-constexpr std::size_t units_per_tip = 400;  // of work for progress, per tip with its distances
+constexpr std::size_t units_per_tip = 400;  // units of work for progress, per tip with its distances
 
 double nearest_turn(double angle, double to) { return to + std::remainder(angle - to, 2 * pi); }
 

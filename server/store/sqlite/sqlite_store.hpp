@@ -64,7 +64,7 @@ class SqliteStore final : public Store {
  private:
   class Reader;  ///< a borrowed reading connection
   static constexpr std::size_t max_expired_at_once =
-      256;  ///< most expired jobs per transaction, since others wait for it
+      256;  ///< largest number of expired jobs per transaction, since others wait for it
   Inserted insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; returns their jobs.
@@ -81,7 +81,7 @@ class SqliteStore final : public Store {
   JobCache cache_;
   std::mutex readers_mutex_;
   std::vector<std::unique_ptr<SqliteConnection>> readers_;
-  Writer writer_;  ///< last: its thread ends before the members that it uses
+  Writer writer_;  ///< the last member: its thread ends before the members that it uses
 };
 
 }  // namespace bahnwerk::server

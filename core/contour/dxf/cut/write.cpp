@@ -75,7 +75,7 @@ void write_spline(ContourBuilder& builder, DrawnSpline spline, Vec end, Progress
       const double share = sum / (static_cast<double>(p) * range);
       spline.points[i] += (1 - share) * at_first + share * at_last;
     }
-    // Clamped ends exactly, without the rounding above.
+    // Clamped ends are exact, without the rounding above.
     if (spline.knots[1] == spline.knots[p]) spline.points.front() = builder.position();
     if (spline.knots[n] == spline.knots[n + p - 1]) spline.points.back() = end;
   }

@@ -234,7 +234,7 @@ void Compensation::corner(Move& next) {
   if (!inside && std::abs(angle) >= tangent) round(a.corner_to, b.from, next.manner);
 }
 
-/// Round an outside corner of the contour.
+/// Adds the move round an outside corner of the contour.
 void Compensation::round(Vec corner, Vec to, const Manner& manner) {
   const Vec from = flat(mover_.position());
   const double z = mover_.position().z;
@@ -283,7 +283,7 @@ void Compensation::happen() {
   mover_.builder().at_line(now);
 }
 
-/// No further move trims the last one.
+/// Writes the last move, which no further one trims.
 void Compensation::flush() {
   const std::size_t now = mover_.builder().line();
   if (last_) {

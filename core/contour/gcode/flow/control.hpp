@@ -84,7 +84,7 @@ class Control {
   Parameters& parameters_;
   Lines& lines_;
   Progress& progress_;
-  std::optional<Outline> outline_;  // made on first use
+  std::optional<Outline> outline_;  // outline of the program, made on first use
   std::vector<Frame> frames_;
   std::vector<Loop> loops_;              // active repeats
   std::vector<std::size_t> called_;      // lines of the numbered subprograms that were called

@@ -207,7 +207,7 @@ bool Expression::exists(double& result) {
   return true;
 }
 
-/// Behind [.
+/// Reads an expression after its [, up to the ].
 bool Expression::brackets(double& result) {
   if (!operation(result, 1)) return false;
   return next_is(']') || fail("an expression does not end: ] is missing");

@@ -28,7 +28,7 @@ class Parameters {
  public:
   static constexpr int most = 9999, locals = 30;  ///< #1 … #30 belong to a subprogram
   static constexpr int position_first = 5021, system_first = 5161, system_last = 5602;
-  static constexpr std::size_t max_names = 10'000;  ///< most names in all active subprograms together
+  static constexpr std::size_t max_names = 10'000;  ///< largest number of names in all active subprograms together
 
   explicit Parameters(const SystemParameters& system) : system_(system) {}
 
