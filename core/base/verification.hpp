@@ -76,12 +76,12 @@ struct Check : Checked {
   bool passed = false;
 };
 
-/// Whether `check` has that quantity, order and subject.
+/// Returns whether `check` has that quantity, order and subject.
 inline bool is(const Check& check, CheckedQuantity quantity, int order, const std::string& subject = {}) {
   return check.quantity == quantity && check.order == order && check.subject == subject;
 }
 
-/// Whether a slower motion has a smaller value: derivatives of axes and along the path, and steps of them.
+/// Returns whether a slower motion has a smaller value: derivatives of axes and along the path, and steps of them.
 inline bool falls_with_speed(const Check& check) {
   const CheckedQuantity q = check.quantity;
   return check.order > 0 && (q == CheckedQuantity::axis || q == CheckedQuantity::path || q == CheckedQuantity::feed ||

@@ -10,8 +10,8 @@
 
 namespace bahnwerk::cam {
 
-/// Where the table of a problem begins, master's unit: an open law at its first point; a periodic one at 0 where its
-/// points lie in 0 … length, else at its first point.
+/// Returns the angle at which the table of a problem begins, master's unit: an open law at its first point; a periodic
+/// one at 0 where its points lie in 0 … length, else at its first point.
 double table_begin(const MotionLawProblem& problem);
 
 /// Row k: the angle table_begin + k · length/steps; position, velocity, acceleration and jerk just behind it; an open

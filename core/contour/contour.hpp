@@ -51,8 +51,8 @@ struct Joint {
   double angle = 0;      ///< tangent jump, rad
   Vec step;              ///< right tangent − left tangent
 };
-/// Whether a motion has to stop at the beginning of segment i > 0: at a cusp, or a tangent jump above `corner_angle`,
-/// rad.
+/// Returns whether a motion has to stop at the beginning of segment i > 0: at a cusp, or a tangent jump above
+/// `corner_angle`, rad.
 bool stops_at(const Path& path, std::size_t i, double corner_angle);
 
 /// Returns every inner joint of the path, in order. O(n), up to 2 µs each; reports to `progress`, if given.

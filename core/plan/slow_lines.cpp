@@ -16,8 +16,8 @@ struct Line {
   double time = 0;
 };
 
-/// All limits in a fixed order: feed, the axes' velocity, acceleration and jerk, the path's acceleration and jerk, a
-/// dwell.
+/// Returns all limits in a fixed order: feed, the axes' velocity, acceleration and jerk, the path's acceleration and
+/// jerk, a dwell.
 class Reasons {
  public:
   Reasons(const Machine& machine, const Limits& along) : machine_(machine), along_(along) {

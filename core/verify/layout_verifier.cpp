@@ -93,7 +93,7 @@ double deepest_overlap(std::span<const Point> wires, double radius, double share
 }
 
 void raise(Check& check, double value, double at) {
-  // Not a number is worse than every number.
+  // Not-a-number counts as worse than every number.
   if (value > check.value || std::isnan(value)) {
     check.value = value;
     check.at = at;

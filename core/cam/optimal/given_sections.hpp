@@ -10,8 +10,8 @@
 
 namespace bahnwerk::cam {
 
-/// Whether a classical section is the same law, stretched, at whatever angles its points have: it rests at both ends,
-/// with all derivatives that its neighbours share with it, and has no limits that depend on its duration.
+/// Returns whether a classical section is the same law, stretched, at whatever angles its points have: it rests at both
+/// ends, with all derivatives that its neighbours share with it, and has no limits that depend on its duration.
 bool section_stretches(const MotionLawProblem& problem, std::size_t section);
 
 /// Fills `given`, replaces the conditions at the ends of given sections, frees the limits of given sections once they

@@ -58,7 +58,7 @@ struct LawTask {
   /// The velocity of a section whose limits leave one alone: a straight section.
   std::optional<double> constant_velocity(std::size_t section) const;
   bool free_angles() const;
-  /// Whether a section begins at the point and one ends there, whose derivatives meet.
+  /// Returns whether a section begins at the point and one ends there, whose derivatives meet.
   bool joint(std::size_t point) const { return periodic || (point > 0 && point + 1 < points()); }
   /// Derivatives of that order of the law, in these units: what one of the user's unit/s^order is.
   double to_task(int order) const;

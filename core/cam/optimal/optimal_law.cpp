@@ -102,7 +102,7 @@ void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vec
   }
 }
 
-/// Whether a law is a spline of that degree in all sections that are free.
+/// Returns whether a law is a spline of that degree in all sections that are free.
 bool has_degree(const CamLaw& law, const LawTask& task, int degree) {
   for (std::size_t i = 0; i < law.pieces(); ++i)
     if (!task.is_given(law.piece(i).section) && law.piece(i).degree() > static_cast<std::size_t>(degree)) return false;

@@ -31,7 +31,8 @@ struct RelaxationGrid {
   bool closing(std::size_t node) const { return periodic && node + 1 == nodes.size(); }
 };
 
-/// Whether a section has no cells: a given one, or one whose position or velocity is a number between fixed times.
+/// Returns whether a section has no cells: a given one, or one whose position or velocity is a number between fixed
+/// times.
 bool is_known(const LawTask& task, const std::vector<Range>& ranges, std::size_t section);
 
 /// `ranges`: one per point, ascending as tighten() leaves them. About `cells` cells, 4 per section at least.

@@ -54,8 +54,8 @@ double SplineProgram::settle_multipliers(const SplineResult& law) {
   return bound;
 }
 
-/// How far a law with J ≤ upper may be from the current one inside a section: both pass the nearest position that is
-/// known, and neither is faster than its J allows. Infinite where nothing limits that.
+/// Returns how far a law with J ≤ upper may be from the current one inside a section: both pass the nearest position
+/// that is known, and neither is faster than its J allows. Infinite where nothing limits that.
 double SplineProgram::reach(std::size_t section, double upper, double peak_velocity) const {
   double least = std::numeric_limits<double>::infinity();
   if (!(task_.weight[1] > 0)) return least;

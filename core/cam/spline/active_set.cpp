@@ -117,7 +117,7 @@ class Search {
     if (!found.degrees.empty() && succeeds(found.degrees.front())) return out;
     const std::vector<int> first = found.degrees.empty() ? std::vector<int>{} : found.degrees.front();
     found = distributions(task, options_.distributions);
-    // Where there are many, those most like the last that was not singular are taken.
+    // If there are many, those most like the last that was not singular are taken.
     if (!found.complete && last_degrees_.size() == task.sections())
       std::stable_sort(found.degrees.begin(), found.degrees.end(), [&](const auto& a, const auto& b) {
         return distance(a, last_degrees_) < distance(b, last_degrees_);

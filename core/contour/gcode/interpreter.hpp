@@ -62,7 +62,7 @@ class Interpreter final : public SystemParameters {
   /// Receives the first line behind the end that is not empty.
   void rest(const Line& line);
 
-  /// Whether the contour stays at one height other than 0; it is then read again as a flat one.
+  /// Returns whether the contour stays at one height other than 0; it is then read again as a flat one.
   bool lifted() const { return height() != 0; }
   /// Returns the height of a contour that stays at one, mm; otherwise 0.
   double height() const { return mover_.climbs() ? 0 : mover_.position().z; }

@@ -100,7 +100,7 @@ void Interpreter::set_data(const Line& line) {
   const std::size_t index = number == 0 ? offsets_.active() : static_cast<std::size_t>(number) - 1;
   Vec work = offsets_.work(index);
   const Vec free = mover_.position() - offsets_.local();
-  // Before the first move it states the head's position, not the zero.
+  // The head's position counts here before the first move, not the zero.
   if (form == 20 && !mover_.started()) return stand_at(line, work + offsets_.local());
   for (std::size_t k = 0; k < 3; ++k)
     if (line.has(axis_letters[k]))

@@ -134,7 +134,7 @@ void Interpreter::m_word(const Line& line, int m) {
   }
 }
 
-/// Its words are its own (Lines), whatever they are.
+/// The words of this code are its own (Lines), whatever they are.
 void Interpreter::foreign_m(const Line& line, int m) {
   unknown_m_ = true;
   if (printer_m(whole_m(m))) {
@@ -168,7 +168,7 @@ void Interpreter::call(const Line& line) {
   request_.repeats = static_cast<std::size_t>(repeats);
 }
 
-/// Its other letters are its own: M201 X500 moves nothing.
+/// The other letters of this code are its own: M201 X500 moves nothing.
 void Interpreter::printer_word(const Line& line, std::uint32_t words) {
   takes(line, words);
   note(key_printer, line, printer_text);

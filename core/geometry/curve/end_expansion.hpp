@@ -21,7 +21,7 @@ class EndExpansion {
   /// Writes d1, d2, d3 of `point` by arc length at u; at the end itself the one-sided limits, or 0 for a derivative
   /// without one.
   void derivatives(double u, Jet& point) const;
-  /// Whether the curvature grows without bound towards the end.
+  /// Returns whether the curvature grows without bound towards the end.
   bool unbounded() const { return curvature_power_ < 0; }
 
  private:

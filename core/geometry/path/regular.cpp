@@ -43,7 +43,7 @@ struct Interval {
 /// of t that then counts as one place.
 constexpr double needle_speed = 3e-4, needle_width = 1e-4;
 
-/// Whether |v| only rises or only falls for |t| ≤ 1: v·v′ keeps its sign.
+/// Returns whether |v| only rises or only falls for |t| ≤ 1: v·v′ keeps its sign.
 bool monotonous(const VectorPolynomial& v) {
   double middle = 0, rest = 0;
   const std::size_t n = length_of(v);

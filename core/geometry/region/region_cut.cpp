@@ -38,8 +38,8 @@ std::vector<Edge> split(const std::vector<Edge>& edges, const std::vector<std::v
   return parts;
 }
 
-/// Whether `end`, where another edge has the direction `along`, lies on `edge` and that edge has the opposite direction
-/// there.
+/// Returns whether `end`, where another edge has the direction `along`, lies on `edge` and that edge has the opposite
+/// direction there.
 bool runs_back(const Edge& edge, Point end, Point along, double& at) {
   at = edge.nearest(end);
   return distance(edge.at(at), end) <= together && dot(edge.direction(at), along) < -1 + 1e-9;

@@ -28,7 +28,7 @@ class Motion {
   /// Returns the state in which the motion ends: the last piece's at its end, unless the motion knows it without
   /// rounding.
   virtual MotionState final_state() const { return in_piece(pieces() - 1, duration()); }
-  /// Whether `MotionState::snap` is computed; otherwise it is 0.
+  /// Returns whether `MotionState::snap` is computed; otherwise it is 0.
   virtual bool has_snap() const { return false; }
   /// Writes the position of an axis in a piece as a polynomial of t − begin(piece), lowest coefficient first, if it is
   /// one; then its peaks can be enclosed. Returns false, and leaves `out` unchanged, if it is none.

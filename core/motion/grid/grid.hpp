@@ -75,7 +75,7 @@ class Grid {
   template <class Count, class Place, class Made>
   void divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& progress);
 
-  /// Whether a station at `s` leaves long enough cells between two others of a segment of that length.
+  /// Returns whether a station at `s` leaves long enough cells between two others of a segment of that length.
   static bool resolved(double before, double s, double after, double length, double shortest = shortest_cell) {
     return s - before > shortest * length && after - s > shortest * length;
   }

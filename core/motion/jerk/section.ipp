@@ -160,7 +160,7 @@ bool JerkSectionPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& res
     limits.acceleration = std::min(limits.acceleration, machine_.axes[k].acceleration / t);
     limits.jerk = std::min(limits.jerk, machine_.axes[k].jerk / t);
   }
-  if (!std::isfinite(limits.jerk)) return false;  // without a jerk limit, the acceleration would jump
+  if (!std::isfinite(limits.jerk)) return false;  // the acceleration would jump without a jerk limit
   append(result.law, straight_profile(line.length(), 0, 0, limits), line.s0(), segment);
   ++result.cells;
   return true;

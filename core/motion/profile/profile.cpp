@@ -155,7 +155,7 @@ Profile straight_profile(double distance, double start_speed, double end_speed, 
     profile.turning_speed = std::max(0.0, task.low - small);
   }
   large = task.gap() + small;
-  // Above both ends the change at the lower speed is the larger one, in a dip that at the higher.
+  // The change at the lower speed is the larger one above both ends, the change at the higher speed in a dip.
   const bool first_large = (start_speed < end_speed) == above;
   const SpeedChange one = task.law.shape(large), other = task.law.shape(small);
   lay_pieces(profile, first_large ? one : other, first_large ? other : one, limits);

@@ -109,9 +109,9 @@ struct WireRows::State {
     return {path[at].source(), run.drawing(at, path[at].parameter(law.s), law)};
   }
 
-  // In the middle of the cycle that ends with row k, by the law, with the cycle's mean acceleration: where the wire
-  // begins to lie on its bend circle the acceleration itself has a pole that lasts microseconds. Where the wire gets
-  // another anchor its speed steps, which only differences of rows see.
+  // Measures the wire in the middle of the cycle that ends with row k, by the law, with the cycle's mean acceleration:
+  // where the wire begins to lie on its bend circle the acceleration itself has a pole that lasts microseconds. Where
+  // the wire gets another anchor its speed steps, which only differences of rows see.
   void within(std::size_t k, const Measured& before, const Measured& after) {
     const double t = (static_cast<double>(k) - 0.5) * h;
     if (!left || row_of_left + 1 != k) left = law_at(static_cast<double>(k - 1) * h);

@@ -73,7 +73,7 @@ class ArcSearch {
 
   const TurnPath& best() const { return best_; }
   double duration() const { return shortest_; }
-  /// Whether all points are in one row, so that there is nothing to choose.
+  /// Returns whether all points are in one row, so that there is nothing to choose.
   bool single() const { return best_.nodes() == 2; }
 
   /// Alternates between speeds and directions, from the edges' directions on.

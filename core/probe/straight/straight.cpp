@@ -40,7 +40,7 @@ class RowFinder {
     reach_ = std::max(coordinate_rounding(problem) / 4, 0.5 * std::min(problem.point_tolerance, problem.tolerance));
   }
 
-  /// Whether the straight from a to b passes what is in between.
+  /// Returns whether the straight from a to b passes what is in between.
   bool passes(std::size_t a, std::size_t b) const {
     const Vec chord = points_[b] - points_[a];
     const double length = norm(chord);

@@ -65,7 +65,7 @@ struct JerkCap {
   double change = 0;  ///< bound of the change of b along the piece at that cap
 };
 
-/// Whether jerk may limit b to less than `most`, as far as the ends of the piece show. 20 ns for two axes.
+/// Returns whether jerk may limit b to less than `most`, as far as the ends of the piece show. 20 ns for two axes.
 template <int N>
 bool jerk_may_limit(const JerkCapPiece<N>& piece, double most);
 

@@ -158,8 +158,8 @@ class MoveBound {
   SampleSet<D> set(const Move& move) const {
     return {position(problem_.points[move.from]), position(problem_.points[move.to]), move.radius};
   }
-  // At rest beyond that end, or in the neighbour's capsule for as long as it takes at least, then in a capsule around
-  // it and the next move, and so on.
+  // Returns the sets in which the motion is beyond an end of move i: at rest there, or in the neighbour's capsule for
+  // as long as it takes at least, then in a capsule around it and the next move, and so on.
   std::vector<Outside> outside(const std::vector<Move>& moves, std::size_t i, bool after, double step) const {
     std::vector<Outside> out;
     const std::size_t end = after ? moves[i].to : moves[i].from;

@@ -230,7 +230,7 @@ std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<
         to.phi = pose.phi + std::remainder(azimuth(to.tip) - azimuth(pose.tip), 2 * pi);
         return room(pose, to, *model.shape, {&iron, &wall});
       };
-      // Across a slot sideways, across an end cap along the part's axis.
+      // The tip moves sideways across a slot, along the part's axis across an end cap.
       const Vec3 across = slot ? radial(azimuth(p.begin) + pi / 2) : Vec3{0, 0, 1};
       FixedPiece piece;
       set_ends(piece, p, across, model, leading, standing, between, stage_progress);

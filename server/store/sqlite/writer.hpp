@@ -45,8 +45,8 @@ class Writer {
   /// without a transaction around it. It may run twice when the disk is full.
   void outside(const Work& work);
 
-  /// Whether the disk was full at the last write, or the reserve is used up. It becomes false within about a second
-  /// after there is room.
+  /// Returns whether the disk was full at the last write, or the reserve is used up. It becomes false within about a
+  /// second after there is room.
   bool full() const { return full_ || !reserve_.held(); }
   /// Increases with every commit, before it is reported: a value read at one count is current as long as the count is
   /// unchanged.

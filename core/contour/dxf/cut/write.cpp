@@ -104,7 +104,7 @@ void write_cut(ContourBuilder& builder, const Cut& cut, GapReport& gaps, Progres
       bridge(first);
     else if (gap >= min_segment_length)
       ++gaps.moved;
-    // Where the next curve cannot be changed this one is, and at the end of a closed cut it is moved to the start.
+    // If the next curve cannot be changed, this one is, and at the end of a closed cut it is moved to the start.
     Vec end = last;
     if (i + 1 < n) {
       const Vec next = first_point(cut.curves[i + 1]);

@@ -168,7 +168,7 @@ class Reader {
     return {entity.common.layer, layers_[entity.common.layer].state.off};
   }
 
-  /// Whether the entity is shown; adds a note if not. For an INSERT only a frozen layer hides everything.
+  /// Returns whether the entity is shown; adds a note if not. For an INSERT only a frozen layer hides everything.
   bool shown(const Entity& entity, const Inherited& inherited) {
     const Inherited own = layer_of(entity, inherited);
     const DxfLayers::Layer& layer = layers_[own.layer];

@@ -37,7 +37,7 @@ struct DxfShape {
   std::string note;                ///< a remark of the reader; may be empty
 };
 
-/// Whether the type is LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
+/// Returns whether the type is LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
 bool dxf_has_curves(std::string_view type);
 /// Reads an entity. `tags` is positioned behind `record`; the vertices of a POLYLINE are read from it.
 DxfShape dxf_shape(const DxfRecord& record, DxfTags& tags);

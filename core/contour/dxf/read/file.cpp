@@ -59,8 +59,8 @@ std::string dxf_lower(std::string_view name) {
 }
 
 std::optional<double> dxf_unit(long code) {
-  // none, inch, foot, mile; mm, cm, m, km; microinch, mil, yard; ångström, nm, µm; dm, dam, hm; Gm, astronomical unit,
-  // light year, parsec; US survey foot, inch, yard, mile
+  // Units in the order of their codes: none, inch, foot, mile; mm, cm, m, km; microinch, mil, yard; ångström, nm, µm;
+  // dm, dam, hm; Gm, astronomical unit, light year, parsec; US survey foot, inch, yard, mile.
   constexpr double foot = 1200000.0 / 3937;
   constexpr std::array<double, 21> unit{0,    25.4, 304.8, 1609344, 1,   10,  1e3, 1e6, 2.54e-5, 0.0254, 914.4,
                                         1e-7, 1e-6, 1e-3,  100,     1e4, 1e5, 0,   0,   0,       0};

@@ -43,10 +43,10 @@ class Control {
   /// Executes M99; returns false in the main program.
   bool back();
 
-  /// Whether the end of the text was reached inside a subprogram.
+  /// Returns whether the end of the text was reached inside a subprogram.
   bool inside() const { return !frames_.empty(); }
   std::size_t depth() const { return frames_.size(); }  ///< number of active subprograms
-  /// Whether M98 has called the subprogram that begins in this line.
+  /// Returns whether M98 has called the subprogram that begins in this line.
   bool called(const Line& line) const {
     return std::find(called_.begin(), called_.end(), line.number) != called_.end();
   }
