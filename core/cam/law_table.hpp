@@ -23,7 +23,7 @@ class LawTable final : public SetpointSource {
   std::size_t count() const override { return steps_ + 1; }
   double cycle_time() const override { return cycle_duration_ / static_cast<double>(steps_); }
   double duration() const override { return cycle_duration_; }
-  /// phi in the master's unit, or time where the master's unit is s.
+  /// Returns phi in the master's unit, or time if the master's unit is s.
   Independent independent() const override;
   void read(std::size_t first, std::size_t rows, double* out) const override;
 

@@ -82,19 +82,19 @@ struct MotionLawProblem {
   std::size_t sections() const { return periodic ? points.size() : points.size() - 1; }
   /// Returns the point at which section i ends.
   std::size_t end_point(std::size_t section) const { return section + 1 < points.size() ? section + 1 : 0; }
-  /// Derivatives 0 … continuity(i) are the same on both sides of point i: the document's, or the highest order of a
-  /// value or range there if that is larger. It has no meaning at the ends of an open law.
+  /// Returns the order up to which derivatives are the same on both sides of point i: the document's, or the highest
+  /// order of a value or range there if that is larger. It has no meaning at the ends of an open law.
   int continuity(std::size_t point) const;
   bool has_free_angles() const;
-  /// s per master's unit. Needs the cycle's duration.
+  /// Returns the duration of a master's unit, s. It needs the cycle's duration.
   double seconds_per_unit() const { return *cycle_duration / length; }
-  /// The stroke that the points force: the highest lower end of their position ranges less the lowest upper end; 0
-  /// where that is negative.
+  /// Returns the stroke that the points force: the highest lower end of their position ranges less the lowest upper
+  /// end; 0 if that is negative.
   double points_stroke() const;
 };
 
-/// Breakpoints in s of all sections for chosen angles (one per point, master's unit): sections() + 1 of them, the first
-/// one that of point 0.
+/// Returns the breakpoints of all sections for chosen angles (one per point, master's unit), in s: sections() + 1 of
+/// them, the first one that of point 0.
 std::vector<double> section_times(const MotionLawProblem& problem, const std::vector<double>& at);
 
 }  // namespace bahnwerk::cam

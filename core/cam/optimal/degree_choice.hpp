@@ -25,7 +25,7 @@ class KnownLaw;
 /// Sets the bound over all laws and what it is made of; counts its programs.
 void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress);
 
-/// The smallest degree that `optimal` takes: one more than any continuity, 3 at least, 21 at most.
+/// Returns the smallest degree that method `optimal` takes: one more than any continuity, 3 at least, 21 at most.
 int least_degree(const LawTask& task);
 
 }  // namespace bahnwerk::cam

@@ -35,7 +35,8 @@ struct RelaxationGrid {
 /// times.
 bool is_known(const LawTask& task, const std::vector<Range>& ranges, std::size_t section);
 
-/// `ranges`: one per point, ascending as tighten() leaves them. About `cells` cells, 4 per section at least.
+/// Lays a grid of about `cells` cells, 4 per section at least. `ranges` has one entry per point, ascending as tighten()
+/// leaves them.
 RelaxationGrid lay_grid(const LawTask& task, const std::vector<Range>& ranges, std::size_t cells);
 
 }  // namespace bahnwerk::cam

@@ -21,7 +21,7 @@ class RelaxationProgram {
 
   BorderedBand& band() { return band_; }
   const RelaxationGrid& grid() const { return grid_; }
-  /// The variable of s^(order) at a node; that of order 0 is the first of three.
+  /// Returns the variable of s^(order) at a node; that of order 0 is the first of three.
   static std::size_t variable(std::size_t node, int order) { return 3 * node + static_cast<std::size_t>(order); }
   bool counted(std::size_t order) const { return counted_[order]; }
   std::size_t peak_variable(std::size_t order) const { return band_.border_index(border_[order]); }

@@ -71,7 +71,7 @@ struct LawConflict {
 
 class SplineProgram {
  public:
-  /// `reference`: outlives the program, which is then one for joint_step() alone.
+  /// `reference` outlives the program, which then serves joint_step() alone.
   SplineProgram(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
                 const JointReference* reference = nullptr);
   /// Finds the least violation of ranges and limits, with Farkas' multipliers. If it is next to nothing, a law exists.
@@ -151,7 +151,7 @@ class SplineProgram {
   std::vector<LawSample> found_;  // extrema of the last law
 };
 
-/// |s| of any law with J ≤ upper, in the task's units; 0 where nothing bounds it.
+/// Returns a bound of |s| for any law with J ≤ upper, in the task's units; 0 if nothing bounds it.
 double position_bound(const LawTask& task, double upper);
 
 }  // namespace bahnwerk::cam

@@ -17,8 +17,8 @@ struct VibrationRow {
   std::vector<std::pair<std::size_t, double>> terms;  ///< coefficient of the spline, weight
   double given = 0;                                   ///< contribution of given sections; the sum of both has to be 0
 };
-/// Real and imaginary part, with the integral scaled by e^{−ζω t1}. Gauss–Legendre quadrature with 12 points on parts
-/// that turn by 1 rad at most: exact to rounding up to degree 21.
+/// Returns the rows of the integral's real and imaginary part, scaled by e^{−ζω t1}. Gauss–Legendre quadrature has 12
+/// points on each of the parts, which turn by 1 rad at most: it is exact to rounding up to degree 21.
 std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const SectionBasis& basis,
                                            const std::vector<double>& breaks, const LawTask::Vibration& vibration);
 

@@ -21,7 +21,7 @@ struct ValueCondition {
 struct GivenSection {
   std::vector<double> breaks;                  ///< s; the section's ends and what is between
   std::vector<std::vector<double>> bernstein;  ///< Bernstein coefficients of each piece
-  /// s^(order) at the section's begin or end.
+  /// Returns s^(order) at the section's begin or end.
   double end_value(bool at_end, int order) const;
 };
 
@@ -36,7 +36,7 @@ struct SplineTask {
   bool is_given(std::size_t section) const { return !given.empty() && given[section].has_value(); }
 };
 
-/// The conditions of every point that are shared between its sections; which sections have unknowns.
+/// Return the conditions of every point that are shared between its sections, and which sections have unknowns.
 std::vector<PointShare> point_shares(const SplineTask& task);
 std::vector<bool> sections_with_unknowns(const SplineTask& task);
 
@@ -58,10 +58,10 @@ struct SolvedSpline {
 /// `degrees`: one of balance_degrees(); −1 for given sections. O(sections · (degree · conditions)²).
 /// Singular: the smallest singular value is below 1e-11 of the largest entry.
 SolvedSpline solve_spline(const SplineTask& task, const std::vector<int>& degrees);
-/// The condition number of the scaled system (2-norm), to a few percent.
+/// Returns the condition number of the scaled system (2-norm), to a few percent.
 double spline_condition(const SplineTask& task, const std::vector<int>& degrees);
 
-/// The law of solved and given sections.
+/// Returns the law of solved and given sections.
 CamLaw assemble_law(const SplineTask& task, const SolvedSpline& solved);
 
 }  // namespace bahnwerk::cam

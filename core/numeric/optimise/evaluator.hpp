@@ -35,8 +35,8 @@ class OptimisationEvaluator {
   const OptimisationPoint& at(std::span<const double> z, bool gradients);
   /// Returns the feasible point with the least objective, else the one with the least violation; without gradients.
   const OptimisationPoint& best() const { return best_; }
-  /// Finite values for points where the problem is undefined, worse than all others, for methods without gradients,
-  /// which compare them.
+  /// Return finite values for points where the problem is undefined, worse than all others, for methods without
+  /// gradients, which compare them.
   double worse_objective() const { return worst_ + (worst_ - min_) + 1; }
   double worse_row() const { return worst_violation_ + 1; }
 

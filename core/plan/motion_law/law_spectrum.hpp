@@ -7,7 +7,7 @@
 
 namespace bahnwerk {
 
-/// Number of harmonics that are worth showing: 40, and up to 200 where there are many sections.
+/// Returns the number of harmonics that are worth showing: 40, and up to 200 where there are many sections.
 std::size_t shown_harmonics(const cam::MotionLawProblem& problem);
 
 /// Amplitudes 2/T |∫ a(t) e^(−2πikt/T) dt| over one cycle, k = 1 … harmonics, unit/s²: of an open law those of its

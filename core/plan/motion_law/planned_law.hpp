@@ -20,7 +20,7 @@ struct PlannedLaw {
 /// smaller.
 PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress);
 
-/// A bound that costs nothing: between two points the mean velocity is reached. 0 where positions are not given.
+/// Returns a bound that costs nothing: between two points the mean velocity is reached. 0 if positions are not given.
 double mean_velocity_bound(const cam::MotionLawProblem& problem);
 
 }  // namespace bahnwerk

@@ -43,7 +43,7 @@ class Turn {
     double gain, a, j, snap;  // speed at the begin: its change so far, and its derivatives
     double way;               // ∫ of the gain until its begin, mm
   };
-  /// The first half: up to four phases, the last of which may be half of one that the second half goes on with.
+  /// Writes the first half: up to four phases, the last of which may be half of one that the second half goes on with.
   std::size_t rise(double speed, std::array<Phase, 4>& phases) const;
 
   Vec in_, out_, change_;

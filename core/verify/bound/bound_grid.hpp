@@ -64,7 +64,7 @@ class BoundGrid {
   double velocity(std::size_t k) const { return velocity_[k]; }
   double jerk(std::size_t k) const { return jerk_[k]; }  ///< may be infinite
   double feed(std::size_t segment) const { return feeds_[segment]; }
-  /// Nodes along the path; cell i lies between node i and node i + 1.
+  /// Returns the nodes along the path; cell i lies between node i and node i + 1.
   Ordered<Node, std::uint32_t> nodes() const { return {nodes_, order_.data(), order_.size()}; }
   Ordered<Cell, std::uint32_t> cells() const { return {cells_, order_.data(), order_.size() - 1}; }
   /// Nodes by BoundNode::id, which is unchanged when the grid is refined, and the cells that begin at them.

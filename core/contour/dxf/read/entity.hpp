@@ -43,7 +43,7 @@ bool dxf_has_curves(std::string_view type);
 DxfShape dxf_shape(const DxfRecord& record, DxfTags& tags);
 DxfInsert dxf_insert(const DxfRecord& record);
 
-/// The parts of dxf_shape(), each in its own file.
+/// Read the parts of dxf_shape(), each in its own file.
 DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags);
 DxfShape dxf_lightweight_polyline(const DxfRecord& record, DxfTags& tags);
 DxfShape dxf_spline(const DxfRecord& record, DxfTags& tags);
