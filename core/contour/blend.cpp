@@ -89,7 +89,7 @@ class Blender {
   Mode mode(std::size_t segment) const {
     return given_.blocks.empty() ? Mode::cut : given_.blocks[block_[segment]].mode;
   }
-  /// The motion rests at the joint where segment i begins.
+  /// Returns whether the motion rests at the joint where segment i begins.
   bool rests(std::size_t i) const { return rest_[i] || stops_at(given_.path, i, options_.corner_angle); }
   /// The path passes exactly through the places of rests, which are ends of stretches.
   void take_rests(std::size_t segment) {

@@ -24,7 +24,7 @@ void check(const DxfOptions& options) {
   if (!faults.empty()) throw InvalidInput(std::move(faults));
 }
 
-/// 2 or 3; a planar drawing is put to z = 0.
+/// Returns the dimension, 2 or 3; a planar drawing is put to z = 0.
 std::size_t flatten(DxfDrawing& drawing, Progress& progress) {
   double most = 0, low = HUGE_VAL, high = -HUGE_VAL;
   ProgressScope reading(progress, "reading", 0, 0);

@@ -78,7 +78,8 @@ SplineResult in_weights(const MotionLawProblem& problem, const LawTask& task, co
   return spline;
 }
 
-/// Least peaks alone do not keep a law between its points: where it leaves their range, and what would prevent it.
+/// Adds a note if the law leaves the positions' range between its points, and on what would prevent it: small peaks
+/// alone do not keep it there.
 void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vector<std::string>& notes) {
   const double stroke = problem.points_stroke();
   for (std::size_t section = 0; section < problem.sections(); ++section) {

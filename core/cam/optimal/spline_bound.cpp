@@ -28,8 +28,8 @@ double position_bound(const LawTask& task, double upper) {
   return position + (velocity + (acceleration + upper / task.weight[3] * t) * t) * t;
 }
 
-/// The least change, in the last factors' measure, that makes the multipliers dual feasible but for rounding, as long
-/// as the bound grows by it. Returns the bound.
+/// Changes the multipliers least, in the last factors' measure, so that they become dual feasible but for rounding, as
+/// long as the bound grows by it. Returns the bound.
 double SplineProgram::settle_multipliers(const SplineResult& law) {
   std::vector<double> gx(point_.z.size()), ex(point_.y.size()), y(point_.y.size());
   double bound = lower_bound(law);
@@ -72,8 +72,8 @@ double SplineProgram::reach(std::size_t section, double upper, double peak_veloc
   return least;
 }
 
-/// Weak duality: cᵀx ≥ value + residualᵀx for every x that is feasible. What the residual is worth is taken at the
-/// current law, and what another law can differ from it comes off.
+/// Returns a bound by weak duality: cᵀx ≥ value + residualᵀx for every x that is feasible. The residual's worth is
+/// taken at the current law, less the largest difference of another law from it.
 double SplineProgram::lower_bound(const SplineResult& law) const {
   const DualValue dual = dual_value(band_, point_.y, point_.z);
   const double upper = law.objective;
@@ -119,7 +119,7 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
   return bound * unit_objective_;
 }
 
-/// Multipliers of equalities may be large: what is missing there is taken out with the last factors.
+/// Takes out with the last factors what is missing in the equalities, whose multipliers may be large.
 void SplineProgram::settle_equalities() {
   std::vector<double> gx(band_.inequality_side().size()), ex(point_.y.size()), x(point_.x.size());
   std::vector<double> kept;
@@ -144,8 +144,8 @@ void SplineProgram::settle_equalities() {
   }
 }
 
-/// The interior-point method has left residuals at points: of equalities where its last factors were bad, and of ranges
-/// by as little as a program may. The smoothest change takes both out.
+/// Takes out the residuals that the interior-point method has left at points by the smoothest change: those of
+/// equalities where its last factors were bad, and those of ranges, by as little as a program may.
 void SplineProgram::settle_points() {
   constexpr double rounding = 1e-13;
   const std::vector<double>& g = band_.inequality_side();

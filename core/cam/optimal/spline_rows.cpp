@@ -169,7 +169,7 @@ bool SplineProgram::pinned(const LawSample& sample) const {
   });
 }
 
-/// Peaks are not below those of given sections, which fall as sections get longer.
+/// Adds the rows that keep peaks at least as large as those of given sections, which fall as sections get longer.
 void SplineProgram::add_floors() {
   std::vector<BorderedRow::Term> terms;
   for (const Floor& floor : floors_) {

@@ -167,7 +167,7 @@ class Search {
     return out;
   }
 
-  /// Lowest order first, in it the largest violation first.
+  /// Returns the violations, lowest order first, and the largest first within an order.
   std::vector<Violation> violations(const CamLaw& law, const Conversions& conversions) const {
     constexpr double tolerance = 1e-10;
     std::vector<Violation> out;

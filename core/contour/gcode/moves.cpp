@@ -75,7 +75,7 @@ void Interpreter::move(const Line& line) {
   spline(line);
 }
 
-/// Mode and feed of a move that is no G0, of so many mm; false where it has none.
+/// Sets mode and feed of a move that is no G0, of so many mm; returns false if it has none.
 bool Interpreter::feeds(const Line& line, double length) {
   if (!fed_ && inverse_time_) {
     fault("a move in inverse time (G93) needs its own F");

@@ -57,7 +57,7 @@ void Interpreter::settings(const Line& line) {
   }
 }
 
-/// G92: the head stands at these coordinates.
+/// Executes G92: the head stands at these coordinates.
 void Interpreter::set_position(const Line& line) {
   if (!takes(line, axes)) {
     if (!line.any(letters("EABCUVW"))) fault("G92 needs the coordinates of where the head stands");
@@ -125,7 +125,7 @@ void Interpreter::reference_point(const Line& line, const std::optional<Vec>& po
   rapid_to(to);
 }
 
-/// G53: a straight move in the coordinates of the machine.
+/// Executes G53: a straight move in the coordinates of the machine.
 void Interpreter::machine_coordinates(const Line& line) {
   if (!takes(line, axes)) return;
   const std::uint32_t list = axes_of(line);

@@ -10,7 +10,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double nothing = 1e-9;  // part of the peak acceleration that counts as none
 
-/// A rise backwards in time.
+/// Returns a rise backwards in time.
 RisePiece mirrored(const RisePiece& p) {
   const double T = p.duration;
   return {T, p.v + T * (p.a + T * (p.j / 2 + T * p.snap / 6)), -(p.a + T * (p.j + T * p.snap / 2)), p.j + T * p.snap,

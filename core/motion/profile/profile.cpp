@@ -19,7 +19,7 @@ struct Task {
   double low, high;  // lower and higher one of the end speeds
   double gap() const { return high - low; }
   double direct() const { return (low + high) / 2 * law.duration(gap()); }
-  /// Distance when it dips to rest.
+  /// Returns the distance when the profile dips to rest.
   double through_rest() const { return (low * law.duration(low) + high * law.duration(high)) / 2; }
   double least() const { return std::min(direct(), through_rest()); }
 };

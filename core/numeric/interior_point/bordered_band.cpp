@@ -10,7 +10,7 @@ namespace {
 // effect.
 constexpr double primal_shift = 1e-11, dual_shift = 1e-13, rounding = 1e-17;
 
-/// Σ a b, four sums side by side: additions that do not wait for each other.
+/// Returns Σ a b as four sums side by side: additions that do not wait for each other.
 double dot(const double* a, const double* b, std::size_t count) {
   double sums[4] = {0, 0, 0, 0};
   std::size_t k = 0;

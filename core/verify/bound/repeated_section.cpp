@@ -51,7 +51,7 @@ bool difference(const Arc& a, const Arc& b, double length, Difference& d) {
   return true;
 }
 
-/// False: two different curves.
+/// Bounds the differences between two segments; returns false if their curves are too different to compare.
 bool difference(const Segment& a, const Segment& b, Difference& d) {
   if (a.straight() != b.straight() || a.cusp_begin() != b.cusp_begin() || a.cusp_end() != b.cusp_end()) return false;
   const double length = length_of(b), off = std::abs(length_of(a) - length);

@@ -80,7 +80,7 @@ FoundLink LinkSearch::again(const LinkEnds& ends, const std::optional<FoundLink>
   return found.best.smoothness <= 1.5 * known->best.smoothness ? found : search(ends, objective, progress);
 }
 
-/// `seen` is J by the quadrature rule of the search.
+/// Searches with a quadrature rule; `seen` becomes J by that rule.
 FoundLink LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& start,
                          LinkObjective objective, std::size_t evaluations, Progress& progress, double& seen) const {
   FoundLink found{best_link(rule, ends, objective, options_.weights, start, progress, evaluations), objective, 0};

@@ -19,7 +19,7 @@ Vec place(const std::vector<Strand>& strands, std::size_t end) {
   const Strand& s = strands[end / 2];
   return end % 2 == 0 ? s.from : s.to;
 }
-/// The tangent there, out of the strand.
+/// Returns the unit tangent at an end, pointing out of the strand.
 Vec outward(const std::vector<Strand>& strands, std::size_t end) {
   const Strand& s = strands[end / 2];
   return end % 2 == 0 ? -s.from_direction : s.to_direction;

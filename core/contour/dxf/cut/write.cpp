@@ -8,7 +8,7 @@
 namespace bahnwerk {
 namespace {
 
-/// Long enough for an end to be moved by `gap` without changing its shape visibly.
+/// Returns whether the curve is long enough for an end to be moved by `gap` without changing its shape visibly.
 bool movable(const Drawn& curve, double gap) {
   double size = 0;
   if (const auto* arc = std::get_if<DrawnArc>(&curve); arc != nullptr && arc->circular())

@@ -144,7 +144,7 @@ bool Lines::assignment(Line& line) {
   return line.fault.empty();
 }
 
-/// A value that is no plain number.
+/// Reads a value that is no plain number.
 bool Lines::computed(Line& line, double& value) {
   if (parameters_ == nullptr) {
     line.fault = no_parameters;
