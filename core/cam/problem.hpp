@@ -32,7 +32,7 @@ struct Range {
 struct MotionPoint {
   Range at;                   ///< the angle, master's unit; fixed or a bounded range
   std::vector<Range> values;  ///< one per order, 0 position; what is absent or free() is not asked for
-  int continuity = 2;         ///< the document's; see MotionLawProblem::continuity()
+  int continuity = 2;         ///< the document's order; see MotionLawProblem::continuity()
   std::array<Range, limited_orders> section{};  ///< limits by order, all over the section that begins here
   std::optional<ClassicalLaw> law;              ///< the law of the section that begins here; none: a polynomial
   std::optional<double> inflection;             ///< λ of that law, 0 < λ < 1; none: 0.5
@@ -67,7 +67,7 @@ enum class LawMethod { active_set, optimal };
 
 struct MotionLawProblem {
   std::string master_unit = "deg", slave_unit = "mm";
-  double length = 360;                   ///< one cycle's, master's unit, > 0
+  double length = 360;                   ///< length of one cycle, master's unit, > 0
   std::optional<double> cycle_duration;  ///< s, > 0; none: as short as `drive` allows
   bool periodic = false;
   std::vector<MotionPoint> points;  ///< ascending; an open law's first and last are fixed and `length` apart

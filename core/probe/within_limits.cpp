@@ -16,7 +16,7 @@ double needed_slowing(const ProbeProblem& problem, const ProbeMotion& plan, doub
   for (std::size_t i = 0; i < motion.pieces(); ++i) {
     progress.work(4);
     const double duration = motion.end(i) - motion.begin(i);
-    std::array<Vec, Bezier::max_points> c{};  // coefficients: the velocity's
+    std::array<Vec, Bezier::max_points> c{};  // coefficients of the velocity
     std::size_t n = 1;
     for (std::size_t k = 0; k < motion.axes(); ++k) {
       Polynomial p;

@@ -28,7 +28,7 @@ struct NewJob {
 struct Inserted {
   enum class What { created, replayed, conflict, full };
   What what = What::created;
-  std::string id;  ///< created, replayed
+  std::string id;  ///< id of the job, if created or replayed
 };
 
 struct JobFilter {

@@ -23,7 +23,7 @@ using nlohmann::json;
 struct StoredLaw {
   cam::CamLaw law;
   cam::TableCycle cycle;
-  std::string unit;  // the slave's
+  std::string unit;  // unit of the slave
 
   explicit StoredLaw(const json& result) {
     const json& details = result.at("details");

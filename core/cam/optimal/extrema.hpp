@@ -7,7 +7,7 @@ namespace bahnwerk::cam {
 
 struct Extremum {
   double at;     ///< parameter, [0, 1]
-  double value;  ///< the polynomial's, with its sign
+  double value;  ///< value of the polynomial, with its sign
 };
 /// Finds the local extrema, and both ends, in ascending order of `at`. Two that lie closer than a seventh of the
 /// distance of Chebyshev points of the degree may be missed. Cost: O(degree²), and O(degree · 40) per extremum.

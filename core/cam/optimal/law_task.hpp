@@ -26,11 +26,11 @@ struct LawTask {
   };
 
   bool periodic = false;
-  double cycle = 0;                                       ///< duration
-  std::vector<Range> at;                                  ///< each point's time
-  std::vector<int> continuity;                            ///< each point's order of continuity
+  double cycle = 0;                                       ///< duration of a cycle
+  std::vector<Range> at;                                  ///< time of each point, a number or a range
+  std::vector<int> continuity;                            ///< order of continuity of each point
   std::vector<Condition> conditions;                      ///< values and ranges at points
-  std::vector<std::array<Range, limited_orders>> limits;  ///< each section's limits by order
+  std::vector<std::array<Range, limited_orders>> limits;  ///< limits of each section by order
   /// A section whose law is known, over the parameter 0 … 1: with other times of its points it is stretched.
   struct Given {
     GivenSection law;                           ///< breaks from 0 to 1, positions in these units
@@ -38,8 +38,9 @@ struct LawTask {
     /// Returns the largest |s^(order)| if the section lasts `length`.
     double peak_at(int order, double length) const;
   };
-  std::vector<std::optional<Given>> given;      ///< empty, or one entry per section
-  std::array<double, limited_orders> weight{};  ///< each peak's, in these units; J is in the user's
+  std::vector<std::optional<Given>> given;  ///< empty, or one entry per section
+  std::array<double, limited_orders>
+      weight{};  ///< weight of each order's peak, in these units; J is in the user's units
   /// J is the largest weight · peak instead of their sum: how far a law exceeds limits that are 1 / weight.
   bool largest_peak = false;
   std::vector<Vibration> vibration;

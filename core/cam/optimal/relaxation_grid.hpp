@@ -13,8 +13,8 @@
 namespace bahnwerk::cam {
 
 struct RelaxationNode {
-  double time;          ///< the task's
-  std::size_t point;    ///< LawTask::none: of none
+  double time;          ///< time of the node, in the task's unit
+  std::size_t point;    ///< number of the point at the node; LawTask::none: there is none
   bool before = false;  ///< no cell begins here: its derivatives are the limits from the left
   bool used = false;    ///< a cell begins or ends here
   int joined = 0;       ///< derivatives 0 … joined − 1 are those of the node before it

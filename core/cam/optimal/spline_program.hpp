@@ -41,7 +41,7 @@ struct SplineResult {
   double violation = 0;        ///< the largest one of section limits and ranges, in parts of the order's unit
   double limit_violation = 0;  ///< largest violation of section limits alone
   int rounds = 0, iterations = 0;
-  std::vector<LawSample> samples;  ///< the last round's: a start for a neighbouring program
+  std::vector<LawSample> samples;  ///< samples of the last round, a start for a neighbouring program
 };
 
 struct SplineOptions {
@@ -52,7 +52,7 @@ struct SplineOptions {
 
 /// Point at which a joint program in coefficients and times is linearised.
 struct JointReference {
-  const std::vector<double>& coefficients;  ///< the law's, at the program's times
+  const std::vector<double>& coefficients;  ///< coefficients of the law at the program's times
   std::vector<double> radius;               ///< largest change of each point's time; 0: the time is fixed
 };
 struct JointStep {
@@ -66,7 +66,7 @@ struct LawConflict {
   bool values = false;                  ///< values and continuity alone contradict each other
   double violation = 0;                 ///< the least that ranges and limits have to give way, in the orders' units
   std::vector<std::size_t> conditions;  ///< numbers in LawTask::conditions
-  std::vector<std::pair<std::size_t, int>> limits;  ///< section, order
+  std::vector<std::pair<std::size_t, int>> limits;  ///< numbers of sections, and orders
 };
 
 class SplineProgram {

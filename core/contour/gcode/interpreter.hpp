@@ -99,7 +99,7 @@ class Interpreter final : public SystemParameters {
   void mode_words(const Line& line);
   Modes modes() const;
   void restore(const Modes& modes);
-  double motion_number() const;  // system_values.cpp
+  double motion_number() const;  // returns the number of the active motion (system_values.cpp)
 
   // moves.cpp: the motion of a line
   void move(const Line& line);

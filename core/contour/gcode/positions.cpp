@@ -61,7 +61,7 @@ void Interpreter::settings(const Line& line) {
 void Interpreter::set_position(const Line& line) {
   if (!takes(line, axes)) {
     if (!line.any(letters("EABCUVW"))) fault("G92 needs the coordinates of where the head stands");
-    return;  // an extruder's
+    return;  // the line names an extruder alone
   }
   const Vec at = mover_.position();
   if (mover_.started()) {

@@ -107,7 +107,7 @@ void Interpreter::m_word(const Line& line, int m) {
     case 70:
     case 71:
     case 72:
-      return;  // mode_words
+      return;  // mode_words() has read the word
     case 73:
       return line.any(letters("PQRS")) ? printer_word(line, letters("PQRST")) : void();
     case 62:

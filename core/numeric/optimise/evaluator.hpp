@@ -28,7 +28,7 @@ class OptimisationEvaluator {
 
   const OptimisationProblem& problem() const { return problem_; }
   std::vector<double> scaled(std::span<const double> x) const;
-  double lower(std::size_t j) const { return lower_[j]; }  ///< scaled
+  double lower(std::size_t j) const { return lower_[j]; }  ///< scaled lower bound of variable j
   double upper(std::size_t j) const { return upper_[j]; }
 
   /// The result is valid until the next call. Callbacks run only where `z` or the gradients are new.

@@ -57,7 +57,7 @@ struct OptimisationOptions {
   /// A search ends when it moves by less, relative to x and to the scales. For cobyla 1e-5 is suitable; with less it
   /// may alternate between two points until max_evaluations.
   double step_tolerance = 1e-9;
-  double kkt_tolerance = 1e-6;         ///< see kkt_residual
+  double kkt_tolerance = 1e-6;         ///< largest kkt_residual of a solution
   double constraint_tolerance = 1e-8;  ///< largest violation of a feasible point
   std::size_t max_evaluations = 10000;
   std::uint64_t seed = 1;  ///< seed of isres and of the starting points of repeated searches

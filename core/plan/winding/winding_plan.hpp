@@ -56,7 +56,7 @@ struct WindingRequest {
   std::size_t parallel = 1;          ///< wires in hand: every turn lays as many
   winding::ProducibleOptions hold;   ///< friction and tolerance that hold a laid wire
   winding::NeedleModel model;
-  winding::TensionModel tension;  ///< model whose force is model.pull's
+  winding::TensionModel tension;  ///< tension model; its force is that of model.pull
   double bears = 0;               ///< N, breaking force of the wire
   winding::NeedleShape needle;
   double swivel_length = unlimited;  ///< length from the swivel's axis to the needle's tip, mm

@@ -33,7 +33,7 @@ template <int N>
 std::array<double, N> shown_jerk(const BoundGrid<N>& grid) {
   std::array<double, N> shown;
   shown.fill(infinite);
-  double longest = 0;  // ramp
+  double longest = 0;  // longest ramp of an axis
   for (std::size_t k = 0; k < grid.axes(); ++k) longest = std::max(longest, grid.acceleration(k) / grid.jerk(k));
   for (std::size_t k = 0; longest > 0 && k < grid.axes(); ++k)
     shown[k] = std::min(grid.jerk(k), grid.acceleration(k) / (at_once * longest));

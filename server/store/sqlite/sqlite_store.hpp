@@ -74,10 +74,10 @@ class SqliteStore final : public Store {
 
   SqliteOptions options_;
   FileLock lock_;
-  SqliteConnection connection_;  ///< the writer's
-  Reserve reserve_;              ///< the writer's
-  Uuid7 ids_;                    ///< the writer's
-  ChangeLog changes_;            ///< the writer's
+  SqliteConnection connection_;  ///< connection of the writer's thread
+  Reserve reserve_;              ///< reserve of the writer's thread
+  Uuid7 ids_;                    ///< ids of the writer's thread
+  ChangeLog changes_;            ///< change log of the writer's thread
   JobCache cache_;
   std::mutex readers_mutex_;
   std::vector<std::unique_ptr<SqliteConnection>> readers_;

@@ -32,7 +32,7 @@ struct DxfInsert {
 
 /// The curves of an entity.
 struct DxfShape {
-  std::vector<Drawn> curves;       ///< consecutive
+  std::vector<Drawn> curves;       ///< consecutive curves
   std::size_t without_length = 0;  ///< dropped parts without length
   std::string note;                ///< a remark of the reader; may be empty
 };
