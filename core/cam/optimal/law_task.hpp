@@ -63,16 +63,17 @@ struct LawTask {
   bool joint(std::size_t point) const { return periodic || (point > 0 && point + 1 < points()); }
   /// Returns the factor from the user's unit/s^order to the task's unit of that order.
   double to_task(int order) const;
-  /// Breaks of the sections, sections() + 1, for chosen times of the points.
+  /// Returns the breaks of the sections, sections() + 1, for chosen times of the points.
   std::vector<double> breaks(const std::vector<double>& times) const;
   /// Returns the middle of each point's range of times, ascending.
   std::vector<double> middle() const;
 };
 
-/// Takes from ranges of times what the order of the points excludes. false: nothing is left of one.
+/// Removes from ranges of times what the order of the points excludes. Returns false if nothing is left of one.
 bool tighten(const LawTask& task, std::vector<Range>& at);
 
-/// Needs the cycle's duration. Throws InvalidInput where classical sections do not fit (given_sections.hpp).
+/// Returns the task of a problem, which needs the cycle's duration. Throws InvalidInput where classical sections do not
+/// fit (given_sections.hpp).
 LawTask make_law_task(const MotionLawProblem& problem);
 
 }  // namespace bahnwerk::cam

@@ -2,8 +2,8 @@
 /// The method of the source [Nolte 3]: the spline of all given values; then the range of the lowest order that is
 /// violated the most becomes a value at its violated end, and the spline is solved again, until all ranges hold.
 ///
-/// Balanced degrees may tie, and another order of conversions may end in a better law: both are looked at as far as
-/// `systems` goes, and the least J is taken.
+/// Balanced degrees may tie, and another order of conversions may end in a better law: both are tried as far as
+/// ActiveSetOptions::sections goes, and the least J is taken.
 #include <cstddef>
 #include <vector>
 

@@ -19,7 +19,7 @@ struct ValueCondition {
 
 /// A section whose law is known, cut into pieces that cover it.
 struct GivenSection {
-  std::vector<double> breaks;                  ///< s; the section's ends and what is between
+  std::vector<double> breaks;                  ///< ends of the section and of its pieces, s
   std::vector<std::vector<double>> bernstein;  ///< Bernstein coefficients of each piece
   /// Returns s^(order) at the section's begin or end.
   double end_value(bool at_end, int order) const;
@@ -55,8 +55,8 @@ struct SolvedSpline {
   std::vector<std::vector<double>> bernstein;  ///< Bernstein coefficients of each section; empty for given ones
   std::optional<SingularSystem> singular;      ///< if set, there are no coefficients
 };
-/// `degrees`: one of balance_degrees(); −1 for given sections. O(sections · (degree · conditions)²).
-/// Singular: the smallest singular value is below 1e-11 of the largest entry.
+/// Solves the system with `degrees`, one of balance_degrees(); −1 for given sections. A system counts as singular if
+/// its smallest singular value is below 1e-11 of the largest entry. O(sections · (degree · conditions)²).
 SolvedSpline solve_spline(const SplineTask& task, const std::vector<int>& degrees);
 /// Returns the condition number of the scaled system (2-norm), to a few percent.
 double spline_condition(const SplineTask& task, const std::vector<int>& degrees);

@@ -26,17 +26,17 @@ struct TableCycle {
 
 struct ControllerTable {
   std::vector<TablePoint> points;
-  /// The true peak of |s^(r) − table's|, r = 0 … 3, unit/s^r, at cycle.duration.
+  /// True peak of the difference between s^(r) of the law and of the table, r = 0 … 3, unit/s^r, at cycle.duration.
   std::array<double, 4> error{};
 };
 
 /// Makes a table with equal steps.
 ControllerTable even_table(const CamLaw& law, const TableCycle& cycle, std::size_t steps, Between between);
 
-/// Points at the breaks of the law, pieces divided into 1, 2, 4 … 64 equal parts until the table is within 1e-6 of the
-/// stroke and 1 % of the peak jerk, or has `max_points`. A polynomial of degree 5 takes position, velocity and
-/// acceleration at its ends, one of degree 7 the jerk, too: it is used between points where the jerk does not jump. A
-/// piece of degree 5 (7) at most is itself, where both hold. `septic` false: degree 5 alone.
+/// Makes a table with points at the breaks of the law, pieces divided into 1, 2, 4 … 64 equal parts until the table is
+/// within 1e-6 of the stroke and 1 % of the peak jerk, or has `max_points`. A polynomial of degree 5 takes position,
+/// velocity and acceleration at its ends, one of degree 7 the jerk, too: it is used between points where the jerk does
+/// not jump. A piece of degree 5 (7) at most is itself, where both hold. `septic` false: degree 5 alone.
 ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic = true);
 
 }  // namespace bahnwerk::cam
