@@ -20,9 +20,9 @@ class Builder : public nlohmann::json_sax<json> {
  public:
   explicit Builder(Progress* progress) : progress_(progress) {}
   json root;
-  std::string fault;          // empty: none
+  std::string fault;          // text of the fault; empty: none
   bool too_large = false;     // the fault is one of size
-  std::string fault_pointer;  // for a fault that is a member of the document
+  std::string fault_pointer;  // JSON pointer of a fault that is a member of the document
   std::size_t fault_byte = 0;
 
   bool null() override { return place(nullptr); }
@@ -64,7 +64,7 @@ class Builder : public nlohmann::json_sax<json> {
   Progress* progress_;
   std::size_t values_ = 0;
   std::vector<json*> stack_;
-  json* slot_ = nullptr;  // where the value of the last key goes
+  json* slot_ = nullptr;  // place for the value of the last key
 
   bool fail(std::string what) {
     fault = std::move(what);

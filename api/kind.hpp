@@ -18,6 +18,8 @@ struct PlannedJob;  // api/planned_job.hpp
 struct ResultFiles {
   std::string_view title = {};                     ///< name of such a file for people, such as "cam table"
   std::span<const std::string_view> layouts = {};  ///< names of the layouts; each belongs to one kind only
+  /// Sentence for the API's description, such as "Header X-… says by how much the file differs."; may be empty.
+  std::string_view about = {};
   /// Returns the file of a result of this kind in one of `layouts`.
   ResultFile (*make)(const nlohmann::json& result, std::string_view layout) = nullptr;
 };

@@ -2,6 +2,10 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "api/embedded.hpp"
 #include "api/kind.hpp"
@@ -23,9 +27,9 @@ void move_refs(ordered_json& node, const std::string& name) {
   }
 }
 
-/// Puts a schema file into the document's components, its definitions beside it as NAME.definition.
-void add_schema(ordered_json& components, std::string_view file, const std::string& name) {
-  ordered_json schema = ordered_json::parse(embedded(file));
+/// Puts a schema into the document's components, its definitions beside it as NAME.definition.
+void add_schema(ordered_json& components, std::string_view text, const std::string& name) {
+  ordered_json schema = ordered_json::parse(text);
   schema.erase("$schema");
   schema.erase("$id");
   move_refs(schema, name);
@@ -37,6 +41,25 @@ void add_schema(ordered_json& components, std::string_view file, const std::stri
 }
 
 std::string result_schema_name(const Kind& kind) { return std::string(kind.name) + ".result"; }
+
+/// Adds the layouts of files that kinds make of their results to the layouts of rows.
+void add_layouts(ordered_json& parameter, std::span<const Kind> all) {
+  auto& names = parameter["schema"]["enum"];
+  std::string text = parameter["description"];
+  for (const Kind& kind : all) {
+    const ResultFiles& files = kind.files;
+    for (std::size_t i = 0; i < files.layouts.size(); ++i) {
+      text += i == 0 ? " Of kind " + std::string(kind.name) + " also a whole " + std::string(files.title) +
+                           ", with no other parameter: "
+                     : ", ";
+      text += files.layouts[i];
+      names.push_back(files.layouts[i]);
+    }
+    if (!files.layouts.empty()) text += ".";
+    if (!files.about.empty()) text += " " + std::string(files.about);
+  }
+  parameter["description"] = std::move(text);
+}
 
 /// The answers that every operation can give before its handler is called: faults of the message and of the query.
 void add_common_responses(ordered_json& paths) {
@@ -59,19 +82,21 @@ void add_common_responses(ordered_json& paths) {
 
 }  // namespace
 
-ordered_json openapi_document() {
+ordered_json openapi_document() { return openapi_document(kinds()); }
+
+ordered_json openapi_document(std::span<const Kind> all) {
   ordered_json document = ordered_json::parse(embedded("openapi"));
   document["info"]["version"] = BAHNWERK_VERSION;
   auto& components = document["components"];
   auto& schemas = components["schemas"];
 
-  add_schema(schemas, "job", "JobDocument");
+  add_schema(schemas, embedded("job"), "JobDocument");
   ordered_json specs = ordered_json::array(), results = ordered_json::array();
   ordered_json kind = ordered_json::array(), name = ordered_json::array({"job"});
-  for (const auto& each : kinds()) {
+  for (const auto& each : all) {
     const std::string spec(each.name), result = result_schema_name(each);
-    for (const auto& file : {spec, result}) {
-      add_schema(schemas, file, file);
+    for (const auto& [file, text] : {std::pair(spec, each.schema), std::pair(result, each.result_schema)}) {
+      add_schema(schemas, text, file);
       name.push_back(file);
     }
     specs.push_back({{"$ref", "#/components/schemas/" + spec}});
@@ -85,6 +110,7 @@ ordered_json openapi_document() {
   auto& spec = schemas["JobDocument"]["properties"]["spec"];
   spec = specs.size() == 1 ? specs.front() : ordered_json{{"description", spec["description"]}, {"oneOf", specs}};
 
+  add_layouts(components["parameters"]["layout"], all);
   add_common_responses(document["paths"]);
 
   auto& slug = components["parameters"]["slug"]["schema"]["enum"] = ordered_json::array();

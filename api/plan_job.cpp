@@ -15,7 +15,8 @@ namespace {
 /// "velocity x: 1801.2 mm/s, limit 1800 mm/s, at 0.25 s; …", of the checks that failed, with place and advice where the
 /// kind knows them.
 std::string failed_checks(const nlohmann::ordered_json& result) {
-  const std::string unit_of_at = result.contains("setpoints") ? " s" : "";  // else the kind's own, such as a wire
+  const std::string unit_of_at =
+      result.contains("setpoints") ? " s" : "";  // without setpoints `at` has the kind's own unit, such as a wire
   std::string text;
   for (const auto& check : result.at("verification").at("checks")) {
     if (check.at("passed").get<bool>()) continue;

@@ -8,6 +8,7 @@
 
 namespace bahnwerk::api {
 
+/// A planned document: what a job stores, and what the command line writes.
 struct PlannedJob {
   nlohmann::ordered_json result;              ///< the result document, with the setpoints' summary
   std::unique_ptr<SetpointSource> setpoints;  ///< nullptr if the kind has none

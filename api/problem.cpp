@@ -202,7 +202,8 @@ Problem problem_from_current_exception(std::string_view prefix) {
     return {"budget-exhausted",
             "The memory ran out while the job was planned: divide the job, or let wider limits hold."};
   } catch (...) {
-    return {"internal", "The planner ended unexpectedly."};  // its text may carry what no client should see
+    return {"internal",
+            "The planner ended unexpectedly."};  // the exception's text may contain what no client should see
   }
 }
 

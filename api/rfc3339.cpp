@@ -54,7 +54,7 @@ std::optional<std::int64_t> parse_rfc3339(std::string_view text) {
     if (!take_number(text, 1, digit)) return std::nullopt;
     do {
       ms += weight * digit;
-      weight /= 10;  // what is finer than a millisecond is cut off
+      weight /= 10;  // digits below a millisecond are cut off
     } while (take_number(text, 1, digit));
   }
   int offset = 0;

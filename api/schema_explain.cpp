@@ -165,7 +165,7 @@ class Explainer {
       }
       at.resize(length);
     }
-    if (later) return;  // what is missing beside a form of a later version is no news
+    if (later) return;  // a member that is missing beside a form of a later version is no news
     if (schema.contains("required"))
       for (const auto& name : schema["required"]) {
         const auto& key = name.get_ref<const std::string&>();

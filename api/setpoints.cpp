@@ -105,7 +105,7 @@ void append_number(std::string& out, double value) {
 struct SetpointStream::State {
   SetpointSeries series;
   SetpointFormat format;
-  const char *separator = ",", *line_end = "\n";  // of CSV
+  const char *separator = ",", *line_end = "\n";  // separators of CSV
   std::vector<std::size_t> selected;
   std::vector<Column> answered;
   std::size_t first = 0, every = 1, rows = 0;

@@ -43,7 +43,7 @@ struct SetpointQuery {
   std::optional<std::size_t> count;  ///< rows of the series that the slice spans, before `every`
   std::size_t every = 1;
   std::optional<std::size_t> points;    ///< min/max envelope with about this many points, for charts
-  std::vector<std::string> columns;     ///< empty = all
+  std::vector<std::string> columns;     ///< names of the columns; empty: all
   CsvLayout layout = CsvLayout::plain;  ///< layout of CSV rows; not allowed with `points`
   /// Layout of a file that a kind makes of its result (api/result_files.hpp), instead of rows; without other options.
   std::optional<std::string> file_layout;

@@ -7,7 +7,7 @@
 namespace bahnwerk::api {
 
 nlohmann::ordered_json verification(const Verification& verdict);
-/// {"duration" | "count" | "objective", "gap", "basis"}; counts are integers.
+/// Returns {"duration" | "count" | "objective", "gap", "basis"}; counts are integers.
 nlohmann::ordered_json bound(const Bound& bound);
 
 }  // namespace bahnwerk::api

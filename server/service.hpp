@@ -69,7 +69,7 @@ class Service {
   Router router_;
   Notifier notifier_;
   LiveJobs live_;
-  std::unique_ptr<Listener> listener_;  ///< first: sockets outlive pool, store and workers
+  std::unique_ptr<Listener> listener_;  ///< the first member: sockets outlive pool, store and workers
   std::unique_ptr<Pool> pool_, checks_, heavy_;
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<Deadlines> deadlines_;

@@ -15,8 +15,10 @@ namespace bahnwerk::api {
 
 /// Place of a member in a spec: names from the spec down.
 using Place = std::vector<std::string>;
+/// Returns the place of a member of the object at `place`.
 Place below(Place place, const std::string& member);
 
+/// Returns a number with four significant digits, for messages.
 inline std::string short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);

@@ -10,7 +10,7 @@ namespace bahnwerk::api {
 
 /// Returns the obstructions of the first `wires` of the layout.
 nlohmann::ordered_json blocked_by(const winding::Windable& verdict, std::size_t wires);
-/// The first of them that slips, or null.
+/// Returns the first wire of them that slips, or null.
 nlohmann::ordered_json slips(const winding::Windable& verdict, std::size_t wires);
 /// Returns how many wires can be wound, the turns that they make, and what ends them; null if the layout, of `places`
 /// wires, can be wound as a whole.

@@ -12,7 +12,7 @@ namespace bahnwerk {
 /// Infeasible, with the members of the document that are the cause.
 struct InfeasibleAt : Infeasible {
   InfeasibleAt(const std::string& what, std::vector<InputFault> list) : Infeasible(what), faults(std::move(list)) {}
-  std::vector<InputFault> faults;  ///< at least one; places have the form of InputFault::place
+  std::vector<InputFault> faults;  ///< one fault at least; places have the form of InputFault::place
 };
 
 }  // namespace bahnwerk

@@ -40,6 +40,7 @@ class ProgressScope {
   void now(std::size_t i, std::size_t n) {
     if (i % long_steps_per_report == 0) report(i, n);
   }
+  /// Reports at once.
   void report() {
     work_ = 0;
     progress_.report(stage_, begin_ + fraction_ * (end_ - begin_));

@@ -17,7 +17,7 @@ class RowCheck {
   virtual ~RowCheck() = default;
   /// Receives row k, from 0 on; `row` has as many numbers as the series has columns.
   virtual void row(std::size_t k, const double* row) = 0;
-  /// Whether the check can read the rows: false if columns are missing.
+  /// Returns whether the check can read the rows: false if columns are missing.
   virtual bool reads() const { return true; }
   /// Returns the results. Called once, after the last row.
   virtual std::vector<Check> checks() = 0;

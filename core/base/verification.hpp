@@ -70,18 +70,18 @@ struct Checked {
 
 /// A comparison by the verifier: the true continuous peak of a quantity against its limit.
 struct Check : Checked {
-  double limit = 0;  ///< in the unit of the order (mm/s for order 1), like `value`
+  double limit = 0;  ///< the limit in the unit of the order (mm/s for order 1), like `value`
   double value = 0;  ///< largest (or smallest) value of the quantity
   double at = 0;     ///< s, where that value occurs
   bool passed = false;
 };
 
-/// Whether `check` has that quantity, order and subject.
+/// Returns whether `check` has that quantity, order and subject.
 inline bool is(const Check& check, CheckedQuantity quantity, int order, const std::string& subject = {}) {
   return check.quantity == quantity && check.order == order && check.subject == subject;
 }
 
-/// Whether a slower motion has a smaller value: derivatives of axes and along the path, and steps of them.
+/// Returns whether a slower motion has a smaller value: derivatives of axes and along the path, and steps of them.
 inline bool falls_with_speed(const Check& check) {
   const CheckedQuantity q = check.quantity;
   return check.order > 0 && (q == CheckedQuantity::axis || q == CheckedQuantity::path || q == CheckedQuantity::feed ||
@@ -125,7 +125,7 @@ enum class BoundSense { lower, upper };
 struct Bound {
   double value = 0;   ///< no solution within the given limits is better
   double gap = 0;     ///< fraction by which the planned solution is worse
-  std::string basis;  ///< how the bound was proven, for people
+  std::string basis;  ///< method that proves the bound, for people
   BoundQuantity quantity = BoundQuantity::duration;
   BoundSense sense = BoundSense::lower;
   std::string unit = "s";

@@ -52,7 +52,7 @@ double only_zero(std::span<const double> d) {
   BernsteinArray slope;
   const std::size_t n = bernstein_derivative(d, slope.data());
   double low = 0, high = 1, x = 0.5;
-  // Its sign before the zero is that of the first coefficient that has one: it may vanish at both ends.
+  // The polynomial's sign before the zero is that of its first coefficient that has one: it may vanish at both ends.
   const bool rises = *std::find_if(d.begin(), d.end(), [](double c) { return c != 0; }) < 0;
   for (int i = 0; i < 200 && high - low > 1e-17; ++i) {
     const double value = bernstein_value(d, x);

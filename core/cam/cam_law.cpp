@@ -12,7 +12,7 @@
 namespace bahnwerk::cam {
 namespace {
 
-/// Coefficients of s^(order) of a piece in `out`; how many.
+/// Writes the coefficients of s^(order) of a piece to `out`; returns their number.
 std::size_t derive(const LawPiece& piece, double duration, int order, BernsteinArray& out) {
   std::size_t size = piece.bernstein.size();
   std::copy(piece.bernstein.begin(), piece.bernstein.end(), out.begin());

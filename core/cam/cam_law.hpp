@@ -36,7 +36,8 @@ struct LawExtremes {
 class CamLaw {
  public:
   CamLaw() = default;
-  /// `breaks`: s, ascending, one more than pieces; piece sections ascend. Throws std::invalid_argument otherwise.
+  /// `breaks` are in s, ascending, one more than pieces; the pieces' sections ascend. Throws std::invalid_argument
+  /// otherwise.
   CamLaw(std::vector<double> breaks, std::vector<LawPiece> pieces, bool periodic);
 
   std::size_t pieces() const { return pieces_.size(); }
@@ -48,23 +49,25 @@ class CamLaw {
   bool periodic() const { return periodic_; }
   std::size_t max_degree() const;
 
-  /// s^(order) just after t, unit/s^order; a periodic law goes on before and after its breaks, an open one is evaluated
-  /// at its nearest end. `piece` is a hint and is updated. O(degree · (order + degree)).
+  /// Returns s^(order) just after t, unit/s^order; a periodic law goes on before and after its breaks, an open one is
+  /// evaluated at its nearest end. `piece` is a hint and is updated. O(degree · (order + degree)).
   double evaluate(double t, int order, std::size_t& piece) const;
   double evaluate(double t, int order) const {
     std::size_t piece = 0;
     return evaluate(t, order, piece);
   }
-  /// s^(order) inside a piece at its local parameter x ∈ [0, 1], ends included.
+  /// Returns s^(order) inside a piece at its local parameter x ∈ [0, 1], ends included.
   double in_piece(std::size_t piece, double x, int order) const;
-  /// Bernstein coefficients of s^(order) over the piece's local parameter, unit/s^order; {0} above its degree.
+  /// Returns the Bernstein coefficients of s^(order) over the piece's local parameter, unit/s^order; {0} above its
+  /// degree.
   std::vector<double> derivative(std::size_t piece, int order) const;
 
-  /// The true peak of |s^(order)| inside the pieces, one-sided limits at breaks included: by enclosure (Bernstein
-  /// coefficients bound from outside, extrema are isolated by sign changes), to rounding. ≈ 1 µs per piece and order.
+  /// Returns the true peak of |s^(order)| inside the pieces, one-sided limits at breaks included: by enclosure
+  /// (Bernstein coefficients bound from outside, extrema are isolated by sign changes), to rounding. ≈ 1 µs per piece
+  /// and order.
   LawPeak peak(int order) const;
   LawPeak peak(int order, std::size_t piece) const;
-  /// True extremes of s^(order) over all pieces, or those of one section.
+  /// Returns the true extremes of s^(order) over all pieces, or those of one section.
   LawExtremes extremes(int order) const;
   LawExtremes section_extremes(int order, std::size_t section) const;
 
@@ -77,17 +80,17 @@ class CamLaw {
 /// J of a law and what it is made of: all methods are compared by this.
 struct LawValue {
   double objective = 0;
-  std::array<LawPeak, limited_orders> peaks{};  ///< one per order; [0] is the largest |position|
-  std::size_t zero_crossings = 0;               ///< how often velocity and acceleration change sign inside sections
+  std::array<LawPeak, limited_orders> peaks{};  ///< peaks by order; [0] is the largest |position|
+  std::size_t zero_crossings = 0;               ///< number of sign changes of velocity and acceleration inside sections
 };
 LawValue evaluate_objective(const MotionLawProblem& problem, const CamLaw& law);
-/// weight[r], with the factor that `normalised` gives it.
+/// Returns the weights of the orders, each with the factor that `normalised` gives it.
 std::array<double, limited_orders> effective_weights(const MotionLawProblem& problem);
 
-/// One cycle of the law that begins at time 0, `first` seconds after the law's own zero (an open law: at its begin). A
-/// periodic law is cut there; all pieces are of section 0.
+/// Returns one cycle of the law that begins at time 0, `first` seconds after the law's own zero (an open law: at its
+/// begin). A periodic law is cut there; all pieces are of section 0.
 CamLaw law_from(const CamLaw& law, double first);
-/// One cycle of the law as a motion of one axis that begins at time 0, `first` seconds after the law's own zero
+/// Returns one cycle of the law as a motion of one axis that begins at time 0, `first` seconds after the law's own zero
 /// (an open law: at its begin). A periodic law is cut there.
 std::shared_ptr<const Motion> law_motion(const CamLaw& law, double first);
 

@@ -10,8 +10,8 @@
 
 namespace bahnwerk::cam {
 
-/// Where the table of a problem begins, master's unit: an open law at its first point; a periodic one at 0 where its
-/// points lie in 0 … length, else at its first point.
+/// Returns the angle at which the table of a problem begins, master's unit: an open law at its first point; a periodic
+/// one at 0 where its points lie in 0 … length, else at its first point.
 double table_begin(const MotionLawProblem& problem);
 
 /// Row k: the angle table_begin + k · length/steps; position, velocity, acceleration and jerk just behind it; an open
@@ -23,7 +23,7 @@ class LawTable final : public SetpointSource {
   std::size_t count() const override { return steps_ + 1; }
   double cycle_time() const override { return cycle_duration_ / static_cast<double>(steps_); }
   double duration() const override { return cycle_duration_; }
-  /// phi in the master's unit, or time where the master's unit is s.
+  /// Returns phi in the master's unit, or time if the master's unit is s.
   Independent independent() const override;
   void read(std::size_t first, std::size_t rows, double* out) const override;
 

@@ -32,7 +32,7 @@ struct Range {
 struct MotionPoint {
   Range at;                   ///< the angle, master's unit; fixed or a bounded range
   std::vector<Range> values;  ///< one per order, 0 position; what is absent or free() is not asked for
-  int continuity = 2;         ///< the document's; see MotionLawProblem::continuity()
+  int continuity = 2;         ///< the document's order; see MotionLawProblem::continuity()
   std::array<Range, limited_orders> section{};  ///< limits by order, all over the section that begins here
   std::optional<ClassicalLaw> law;              ///< the law of the section that begins here; none: a polynomial
   std::optional<double> inflection;             ///< λ of that law, 0 < λ < 1; none: 0.5
@@ -48,7 +48,7 @@ struct LawObjective {
   std::array<double, limited_orders> weight{0, 1, 1, 0.1};
   /// Each peak counts as its coefficient peak · T^r / h, T the cycle's duration, h = points_stroke().
   bool normalised = false;
-  /// Added for each sign change of velocity and of acceleration inside a section; `active_set` alone.
+  /// Cost added for each sign change of velocity and of acceleration inside a section; `active_set` alone.
   double zero_crossing_penalty = 0;
 };
 
@@ -56,7 +56,7 @@ struct VibrationMode {
   double frequency = 0;  ///< Hz, of the undamped mode
   double damping = 0;    ///< ratio, 0 ≤ damping < 1
 };
-/// What a drive can do; infinite where it is not limited.
+/// Limits of a drive; infinite where it is not limited.
 struct DriveLimits {
   double velocity = std::numeric_limits<double>::infinity();
   double acceleration = std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ enum class LawMethod { active_set, optimal };
 
 struct MotionLawProblem {
   std::string master_unit = "deg", slave_unit = "mm";
-  double length = 360;                   ///< one cycle's, master's unit, > 0
+  double length = 360;                   ///< length of one cycle, master's unit, > 0
   std::optional<double> cycle_duration;  ///< s, > 0; none: as short as `drive` allows
   bool periodic = false;
   std::vector<MotionPoint> points;  ///< ascending; an open law's first and last are fixed and `length` apart
@@ -80,21 +80,21 @@ struct MotionLawProblem {
   std::uint64_t seed = 1;
 
   std::size_t sections() const { return periodic ? points.size() : points.size() - 1; }
-  /// Where section i ends.
+  /// Returns the point at which section i ends.
   std::size_t end_point(std::size_t section) const { return section + 1 < points.size() ? section + 1 : 0; }
-  /// Derivatives 0 … continuity(i) are the same on both sides of point i: the document's, or the highest order of a
-  /// value or range there if that is larger. It has no meaning at the ends of an open law.
+  /// Returns the order up to which derivatives are the same on both sides of point i: the document's, or the highest
+  /// order of a value or range there if that is larger. It has no meaning at the ends of an open law.
   int continuity(std::size_t point) const;
   bool has_free_angles() const;
-  /// s per master's unit. Needs the cycle's duration.
+  /// Returns the duration of a master's unit, s. It needs the cycle's duration.
   double seconds_per_unit() const { return *cycle_duration / length; }
-  /// The stroke that the points force: the highest lower end of their position ranges less the lowest upper end; 0
-  /// where that is negative.
+  /// Returns the stroke that the points force: the highest lower end of their position ranges less the lowest upper
+  /// end; 0 if that is negative.
   double points_stroke() const;
 };
 
-/// Breakpoints in s of all sections for chosen angles (one per point, master's unit): sections() + 1 of them, the first
-/// one that of point 0.
+/// Returns the breakpoints of all sections for chosen angles (one per point, master's unit), in s: sections() + 1 of
+/// them, the first one that of point 0.
 std::vector<double> section_times(const MotionLawProblem& problem, const std::vector<double>& at);
 
 }  // namespace bahnwerk::cam

@@ -1,5 +1,6 @@
 #pragma once
-/// What a method found.
+/// Result of a method for motion laws: the law, its value, the conversions of ranges, and bounds of what any law can
+/// reach.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -18,14 +19,14 @@ struct Conversion {
   bool operator==(const Conversion&) const = default;
 };
 
-/// Which ranges became values, one after the other, and what the law was then worth.
+/// Ranges that became values, in this order, and J of the law afterwards.
 struct ConversionOrder {
   std::vector<Conversion> conversions;
   double objective = 0;
 };
 
-/// No law under the same values, ranges, continuity and section limits, of whatever degree and with whatever angles in
-/// their ranges, has a smaller J.
+/// Lower bound of J: no law under the same values, ranges, continuity and section limits, of whatever degree and with
+/// whatever angles in their ranges, has a smaller one.
 struct LawBound {
   double objective = 0;
   std::string basis;
@@ -42,11 +43,11 @@ struct LawSolution {
   std::vector<int> degrees;         ///< one per section
   std::size_t distributions = 0;    ///< balanced distributions of degrees that were compared for `conversions`
   std::optional<double> condition;  ///< `active_set`: condition number (2-norm) of the scaled linear system
-  std::size_t systems = 0;          ///< linear systems solved, or programs
+  std::size_t systems = 0;          ///< number of linear systems or programs solved
   /// `optimal`: J of the dual at the same degree, pieces and angles, ≤ value.objective.
   std::optional<double> lower;
   std::optional<LawBound> bound;
-  std::vector<std::string> notes;  ///< for the user
+  std::vector<std::string> notes;  ///< sentences for the user
 };
 
 }  // namespace bahnwerk::cam

@@ -89,7 +89,7 @@ class Blender {
   Mode mode(std::size_t segment) const {
     return given_.blocks.empty() ? Mode::cut : given_.blocks[block_[segment]].mode;
   }
-  /// The motion rests at the joint where segment i begins.
+  /// Returns whether the motion rests at the joint where segment i begins.
   bool rests(std::size_t i) const { return rest_[i] || stops_at(given_.path, i, options_.corner_angle); }
   /// The path passes exactly through the places of rests, which are ends of stretches.
   void take_rests(std::size_t segment) {
@@ -143,7 +143,7 @@ class Blender {
     try {
       result_.path.append(curve, from.source);
     } catch (const InvalidInput&) {
-      return;  // without length
+      return;  // the curve has no length
     }
     owner_.insert(owner_.end(), result_.path.size() - before, from.block);
   }
@@ -153,7 +153,7 @@ class Blender {
     try {
       result_.path.append_piece(piece, from.source);
     } catch (const InvalidInput&) {
-      return;  // without length
+      return;  // the piece has no length
     }
     owner_.push_back(from.block);
   }
@@ -311,7 +311,7 @@ class Blender {
   BlendCount count_;
   std::size_t done_ = 0;
   std::vector<BlendSection>* sections_;
-  std::size_t changes_ = 0;  // before the current section
+  std::size_t changes_ = 0;  // number of changes before the current section
 };
 
 }  // namespace

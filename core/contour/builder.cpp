@@ -19,7 +19,7 @@ std::string number(double x) {
   return text;
 }
 
-/// "line 12 and 3 more: "
+/// Returns "line 12 and 3 more: ".
 std::string counted(std::size_t line, std::size_t count) {
   return "line " + std::to_string(line) + (count > 1 ? " and " + std::to_string(count - 1) + " more: " : ": ");
 }
@@ -95,7 +95,7 @@ bool ContourBuilder::guarded(Make make) {
   }
 }
 
-/// False, with a note, for a curve without length.
+/// Returns false, with a note, for a curve without length.
 bool ContourBuilder::add(const std::shared_ptr<const Curve>& curve, Vec end) {
   try {
     contour_.path.append(curve, reader_.empty() ? total_ - 1 : line_);

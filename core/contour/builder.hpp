@@ -24,7 +24,7 @@ class ContourBuilder {
   /// Equal faults of a text are one, "line 12 and 3 more: ".
   ContourBuilder(std::size_t dimension, Vec start, std::string reader = {});
 
-  void at_line(std::size_t number) { line_ = number; }  ///< counted from 1; also the `source` of path segments
+  void at_line(std::size_t number) { line_ = number; }  ///< lines count from 1; the `source` of segments
   std::size_t line() const { return line_; }
   void start(Vec at) { position_ = at; }  ///< sets the beginning of the contour; only before the first segment
   void block(Mode mode, double feed);     ///< begins a block; mm/s; infinite: limited by the axes alone
@@ -43,9 +43,8 @@ class ContourBuilder {
 
   /// Adds a fault that the reader found in the current segment's document.
   void fault(std::vector<std::string> place, std::string message);
-  bool full() const {
-    return std::max(faults_.size(), causes_.size()) >= max_faults;
-  }  ///< further faults are not stored
+  /// Returns whether further faults are not stored.
+  bool full() const { return std::max(faults_.size(), causes_.size()) >= max_faults; }
 
   Vec position() const { return position_; }
   std::size_t segments() const { return total_; }  ///< segments so far, dropped ones included

@@ -31,7 +31,7 @@ struct Contour {
   std::size_t dimension = 2;  ///< number of coordinates of the path, 2 or 3
   double height = 0;  ///< position of a third axis along a planar contour, whose path has z = 0; mm; 0 if unknown
   Path path;
-  std::vector<Block> blocks;          ///< in order; they cover every segment; empty ones have first == last
+  std::vector<Block> blocks;          ///< blocks in order; they cover every segment; empty ones have first == last
   std::vector<Rest> rests;            ///< ordered by segment, then by block; dwells at one place add up
   std::vector<std::string> notes;     ///< remarks of the reader on what it dropped or moved
   std::vector<double> feeds() const;  ///< feed of each path segment, mm/s
@@ -51,8 +51,8 @@ struct Joint {
   double angle = 0;      ///< tangent jump, rad
   Vec step;              ///< right tangent − left tangent
 };
-/// Whether a motion has to stop at the beginning of segment i > 0: at a cusp, or a tangent jump above `corner_angle`,
-/// rad.
+/// Returns whether a motion has to stop at the beginning of segment i > 0: at a cusp, or a tangent jump above
+/// `corner_angle`, rad.
 bool stops_at(const Path& path, std::size_t i, double corner_angle);
 
 /// Returns every inner joint of the path, in order. O(n), up to 2 µs each; reports to `progress`, if given.

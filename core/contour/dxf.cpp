@@ -24,11 +24,11 @@ void check(const DxfOptions& options) {
   if (!faults.empty()) throw InvalidInput(std::move(faults));
 }
 
-/// 2 or 3; a planar drawing is put to z = 0.
+/// Returns the dimension, 2 or 3; a planar drawing is put to z = 0.
 std::size_t flatten(DxfDrawing& drawing, Progress& progress) {
   double most = 0, low = HUGE_VAL, high = -HUGE_VAL;
   ProgressScope reading(progress, "reading", 0, 0);
-  // Within one strand heights may differ from curve to curve, too.
+  // Heights may differ from curve to curve within one strand, too.
   for (const DxfStrand& strand : drawing.strands) {
     double bottom = HUGE_VAL, top = -HUGE_VAL;
     for (const Drawn& curve : strand.curves) {

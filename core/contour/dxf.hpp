@@ -47,8 +47,9 @@ struct DxfOptions {
   std::vector<std::string> layers{};  ///< the only layers to read, each of which has to exist; empty: all
   double feed = std::numeric_limits<double>::infinity();  ///< mm/s, > 0; infinite: limited by the axes alone
   std::optional<double> millimetres_per_unit{};           ///< > 0; unset: as $INSUNITS says, or 1 with a note
-  std::size_t max_curves = 2'000'000;  ///< most curves, with blocks resolved; a drawing with more is refused
-  bool hatch = false;                  ///< whether the outlines of HATCH are cut, too
+  std::size_t max_curves =
+      2'000'000;       ///< largest number of curves, with blocks resolved; a drawing with more is refused
+  bool hatch = false;  ///< whether the outlines of HATCH are cut, too
 };
 
 /// Returns the contour. Throws InvalidInput with up to 100 faults at {"contour","dxf"}, each with a message "line 123:

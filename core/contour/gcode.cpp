@@ -33,7 +33,7 @@ class Reading {
   }
 
  private:
-  /// False where nothing behind it matters.
+  /// Reads the program; returns false if nothing behind it matters.
   bool program() {
     gcode::Line line;
     bool began = false;
@@ -70,7 +70,7 @@ class Reading {
     return false;
   }
 
-  /// An O word, with what its calls and returns mean for the modes.
+  /// Executes an O word, with what its calls and returns mean for the modes.
   bool flow(const gcode::Line& line) {
     const std::size_t depth = control_.depth();
     if (!control_.execute(line)) return false;
@@ -79,7 +79,7 @@ class Reading {
     return true;
   }
 
-  /// M98, M99.
+  /// Executes M98 and M99.
   bool carry_out(const gcode::Line& line) {
     const gcode::Request request = interpreter_.request();
     const std::size_t depth = control_.depth();
@@ -95,7 +95,7 @@ class Reading {
     return false;
   }
 
-  /// Behind the end only subprograms may follow.
+  /// Only subprograms may follow the end of the program.
   void rest() {
     gcode::Line line;
     while (!control_.used() && lines_.next(line, options_.block_delete)) {

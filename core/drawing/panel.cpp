@@ -80,7 +80,7 @@ std::string panel_drawing(const Panel& panel, double left, double top, double wi
   }
   out += svg::text({left, top - 7}, panel.title, ink);
   double legend = right;
-  for (std::size_t i = panel.curves.size(); i-- > 0;) {  // from right to left
+  for (std::size_t i = panel.curves.size(); i-- > 0;) {  // curves are labelled from right to left
     const PanelCurve& curve = panel.curves[i];
     if (curve.name.empty()) continue;
     out +=

@@ -104,7 +104,7 @@ class Thinned {
   /// Tells whether the line from the anchor to p passes all points since; restricts the directions of later ones.
   bool fits(Point p) {
     const double dx = p.x - anchor_.x, dy = p.y - anchor_.y, d = std::hypot(dx, dy);
-    if (d < farthest_ - reach_) return false;  // turned back
+    if (d < farthest_ - reach_) return false;  // the path has turned back
     if (d <= reach_) {
       farthest_ = std::max(farthest_, d);
       return true;

@@ -9,7 +9,8 @@ Chebyshev::Chebyshev(double a, double b, std::vector<double> coefficients)
 
 std::vector<double> Chebyshev::lobatto(std::size_t degree) {
   std::vector<double> x(degree + 1);
-  for (std::size_t j = 0; j <= degree; ++j) {  // as a sine of the signed distance from the middle: exactly symmetric
+  for (std::size_t j = 0; j <= degree;
+       ++j) {  // the sine of the signed distance from the middle makes nodes exactly symmetric
     const double k = static_cast<double>(degree) - 2 * static_cast<double>(j);
     x[j] = std::sin(std::numbers::pi * k / (2 * static_cast<double>(degree)));
   }

@@ -13,7 +13,7 @@
 
 namespace bahnwerk {
 
-/// All complex numbers within `radius` of `centre`.
+/// The set of all complex numbers within `radius` of `centre`.
 struct Disc {
   double centre = 0, radius = 0;
 

@@ -104,7 +104,7 @@ inline Lanes<2> larger(Lanes<2> a, Lanes<2> b) { return a > b ? a : b; }
 inline double where_less(double a, double b, double yes) { return a < b ? yes : 0; }
 inline Lanes<2> where_less(Lanes<2> a, Lanes<2> b, Lanes<2> yes) { return a < b ? yes : Lanes<2>{0, 0}; }
 
-/// Reductions over all lanes.
+/// Reduce all lanes to one number.
 inline double sum(Lanes<2> a) { return a[0] + a[1]; }
 inline double largest(double a) { return a; }
 inline double largest(Lanes<2> a) { return a[0] > a[1] ? a[0] : a[1]; }

@@ -35,7 +35,8 @@ const ChebyshevRule& lobatto_rule(int points);
 /// Returns 9 points without the ends, for functions that cannot be evaluated there.
 const ChebyshevRule& open_rule();
 
-inline constexpr int max_coefficients = 22;  ///< most coefficients of a polynomial whose peak is searched: degree 21
+inline constexpr int max_coefficients =
+    22;  ///< largest number of coefficients of a polynomial whose peak is searched: degree 21
 
 /// The largest magnitude of a polynomial.
 struct PolynomialPeak {
@@ -65,11 +66,11 @@ double interpolation_error(int points, double reach);
 struct PeakSamples {
   const ChebyshevRule& rule;
   double begin, end;
-  bool last;           ///< whether the interval will not be halved any more
-  bool more;           ///< whether more points follow if these do not suffice
-  double* values;      ///< out: channel c at rule.node[i] of [begin, end] at values[c · rule.points + i]
-  double* missing;     ///< out: for each channel a proven bound of |f − interpolant|; NaN, its initial value: unknown
-  bool empty = false;  ///< out: nothing was written because the bound is useless; not when `last`
+  bool last;        ///< whether the interval will not be halved any more
+  bool more;        ///< whether more points follow if these do not suffice
+  double* values;   ///< output: channel c at rule.node[i] of [begin, end] at values[c · rule.points + i]
+  double* missing;  ///< output: for each channel a proven bound of |f − interpolant|; NaN, its initial value: unknown
+  bool empty = false;  ///< output: whether nothing was written because the bound is useless; not when `last`
   double at(int i) const { return begin + rule.node[static_cast<std::size_t>(i)] * (end - begin); }
 };
 

@@ -23,7 +23,7 @@ struct SineCosine {
   T sine, cosine;
 };
 
-/// c₀ + c₁ z + c₂ z² + …
+/// Returns c₀ + c₁ z + c₂ z² + …
 template <std::size_t n>
 constexpr double horner(double z, const double (&c)[n]) {
   double sum = c[n - 1];

@@ -78,7 +78,7 @@ struct Box {
   }
 };
 
-/// One view: two coordinates on a frame with axes.
+/// A view: two coordinates on a frame with axes.
 struct View {
   std::size_t across = 0, up = 1;
   Vec low, high;
@@ -196,7 +196,7 @@ class Drawer {
     views_.push_back(view);
   }
 
-  using Lines = std::vector<Thinned>;  // by class
+  using Lines = std::vector<Thinned>;  // lines by class
 
   /// Draws the lines of a cut in all views, coloured by speed.
   class CutLines {

@@ -33,7 +33,7 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   check(input, machine, planning);
   if (planning.stop_at_mode_change) stop_at_mode_changes(input);
   const auto given = std::make_shared<const Contour>(std::move(input));
-  const double all = planning.what_if ? 0.25 : 1;  // of the progress, before it is asked what if
+  const double all = planning.what_if ? 0.25 : 1;  // part of the progress before `what_if` is planned
   const bool blended = planning.corner_mode == CornerMode::blend;
   const double posed_at = blended ? 0.5 * all : 0.0, served = (blended ? 0.95 : 1.0) * all;
   PreparedContour posed = prepare_contour(given, machine, planning, progress, 0.0, posed_at);

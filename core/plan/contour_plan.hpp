@@ -67,7 +67,7 @@ struct ContourPlan {
   std::vector<SmallJoint> joints;
   std::vector<SlowLine> slow_lines;  ///< the 20 source lines that take most time, in the time of the setpoints
   SectionGaps sections;              ///< sections between rests compared with their own bounds
-  std::vector<WhatIf> what_if;       ///< if asked for
+  std::vector<WhatIf> what_if;       ///< effect of changed limits, if requested
   std::vector<std::string> notes;
 };
 

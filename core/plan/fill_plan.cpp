@@ -183,7 +183,7 @@ const char* region_name(std::size_t region) {
 
 FillPlan plan_fill(const FillRequest& request, Progress& progress) {
   FillPlan plan;
-  constexpr double verifying = 0.98;  // where verification begins
+  constexpr double verifying = 0.98;  // part of the progress at which verification begins
   // The search goes last of a wire's algorithms: the layouts of the others are its hints.
   std::vector<std::size_t> order(request.algorithms.size());
   double total = 0, done = 0;

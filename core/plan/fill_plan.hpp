@@ -51,7 +51,7 @@ struct FilledLayout {
   winding::Algorithm algorithm = winding::Algorithm::needle;
   winding::Wire wire;
   winding::Layout layout;
-  std::vector<winding::Layout> regions;  ///< for `needle` with heads: layouts of winding head, other slot, winding head
+  std::vector<winding::Layout> regions;  ///< layouts of winding head, other slot, winding head; for `needle` with heads
   double overlap = 0;                    ///< mm, allowed overlap
   std::size_t bound = 0;                 ///< proven upper bound of the number of wires
   double electrical = 0, mechanical = 0;
@@ -69,7 +69,7 @@ struct FilledLayout {
 
 struct FillPlan {
   std::vector<FilledLayout> layouts;  ///< ordered by wires, then by algorithms, as in the request
-  std::vector<std::size_t> best;      ///< per algorithm: index of the layout with the largest electrical fill factor
+  std::vector<std::size_t> best;      ///< index of each algorithm's layout with the largest electrical fill factor
   std::size_t top = 0;                ///< index of the best layout of all
   Verification verification;
   Bound bound;  ///< upper bound of the number of wires of the best layout

@@ -22,9 +22,9 @@ struct MethodOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
   double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
   Limits along;                                              ///< limits along the tool's path, mm/s and its derivatives
-  std::vector<double> shares;                                ///< for `natural`: see NaturalOptions
-  SpeedProfile profile = SpeedProfile::double_s;             ///< for `constant` and `critical_points`
-  double feed = 0;                                           ///< for `constant`, mm/s: see FeedOptions
+  std::vector<double> shares;                                ///< shares of NaturalOptions, for `natural`
+  SpeedProfile profile = SpeedProfile::double_s;  ///< profile of feed changes, for `constant` and `critical_points`
+  double feed = 0;                                ///< feed of FeedOptions, for `constant`, mm/s
 };
 
 }  // namespace bahnwerk

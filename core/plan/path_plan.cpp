@@ -16,14 +16,14 @@
 namespace bahnwerk {
 namespace {
 
-constexpr int attempts = 4;                 // on finer and finer grids
-constexpr std::size_t max_cells = 500'000;  // that may be planned once more for the sake of the gap
+constexpr int attempts = 4;                 // number of plans on finer and finer grids
+constexpr std::size_t max_cells = 500'000;  // largest grid that is planned once more for the sake of the gap
 constexpr double close_enough = 5e-6;       // gap to the bound at which a plan counts as converged
 // If a finer grid costs little, the plan has to be closer to its bound, so that both directions of a contour take
 // equally long to 1e-6; refinement ends when the last grid gained less than this.
 constexpr double closer = 5e-7, worthwhile = 2e-7;
 constexpr std::size_t few_cells = 20'000;
-constexpr double largest_excess = 1e-4;  // of a limit, that counts as rounding
+constexpr double largest_excess = 1e-4;  // relative excess over a limit that counts as rounding
 
 /// Slows the sections of the verified law in which limits are exceeded by little, at most relatively by `largest`, all
 /// at once. Such excess occurs in pieces so short that rounding shows, or so wide that the planner's model of them is
@@ -52,7 +52,8 @@ class PathProblem final : public MotionProblem {
     for (double& feed : task_.feeds) feed = std::min(feed, limits_along().velocity);
   }
 
-  static constexpr double bounded = 0.1, planned = 0.55, verified = 0.85;  // where the stages end
+  static constexpr double bounded = 0.1, planned = 0.55,
+                          verified = 0.85;  // parts of the progress at which the stages end
   double at(double fraction) const { return planning_.from + fraction * (planning_.to - planning_.from); }
 
   void plan() override {
@@ -195,7 +196,7 @@ class PathProblem final : public MotionProblem {
   int attempt_ = 1, refinement_ = 0;
   std::size_t cells_ = 0, iterations_ = 0, pieces_ = 0;
   TimeLaw law_;
-  double slowed_ = 1;  ///< by what law_ is, against the planned one
+  double slowed_ = 1;  ///< factor by which law_ is slower than the planned one
   std::shared_ptr<const PathMotion> motion_;
   Bound bound_;
   std::vector<SectionBound> section_bounds_;

@@ -27,8 +27,8 @@ struct PathPlanning {
   /// `path`.
   std::shared_ptr<const AxisPath> moving;
   Machine machine;
-  std::vector<double> feeds;  ///< per segment, mm/s: largest tool speed for the planner, infinite where not limited
-  /// Per segment, mm/s: the document's feeds, which the verifier checks; equal to `feeds` unless a step in between
+  std::vector<double> feeds;  ///< largest tool speed of each segment for the planner, mm/s; infinite where not limited
+  /// The document's feeds of each segment, mm/s, which the verifier checks; equal to `feeds` unless a step in between
   /// changed those.
   std::vector<double> feeds_to_verify;
   std::vector<bool>
@@ -50,7 +50,7 @@ struct PathPlanning {
   /// Makes a kind's own checks of rows for a motion and its verdict; empty: none. They see the rows in the pipeline's
   /// one pass.
   std::function<RowChecks(const PathMotion&, const SetpointSource&, const Verification&)> row_checks = {};
-  /// Per axis: factor from its unit to that of the setpoints' columns, such as 180/π for rad shown in deg; empty: 1.
+  /// Factor of each axis from its unit to that of the setpoints' columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown;
   /// Largest distance of these setpoints from the law's place (SetpointInput::lag).
   double lag = 0;

@@ -54,7 +54,7 @@ class MotionProblem {
 
 struct PipelineOptions {
   double cycle_time = 0.001;          ///< s
-  double max_setpoints = 20'000'000;  ///< more are refused
+  double max_setpoints = 20'000'000;  ///< largest number of setpoints; more are refused
   int max_corrections = 6;            ///< corrections of a motion before plan_otherwise()
   double rows_from = 0, rows_to = 1;  ///< range of the job's progress in which rows are read
   std::vector<std::string> cycle_time_place{"machine", "cycle_time"};  ///< place of the cycle time in the document

@@ -9,15 +9,15 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double binds = 0.95;  // of a limit
+constexpr double binds = 0.95;  // part of a limit from which on it binds
 
 struct Line {
   std::size_t source = 0;
   double time = 0;
 };
 
-/// All limits in a fixed order: feed, the axes' velocity, acceleration and jerk, the path's acceleration and jerk, a
-/// dwell.
+/// Returns all limits in a fixed order: feed, the axes' velocity, acceleration and jerk, the path's acceleration and
+/// jerk, a dwell.
 class Reasons {
  public:
   Reasons(const Machine& machine, const Limits& along) : machine_(machine), along_(along) {

@@ -10,8 +10,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double largest_excess = 1e-4;  // of a limit, that counts as rounding
-constexpr double verified = 0.5;         // of the progress
+constexpr double largest_excess = 1e-4;  // relative excess over a limit that counts as rounding
+constexpr double verified = 0.5;         // part of the progress at which verification ends
 
 class SplineProblem final : public MotionProblem {
  public:
@@ -58,7 +58,7 @@ class SplineProblem final : public MotionProblem {
   const SplinePlanning& planning_;
   Progress& progress_;
   std::shared_ptr<const SplineMotion> motion_;
-  double stretch_ = 1, factor_ = 1;  // by corrections; by those and whole cycles
+  double stretch_ = 1, factor_ = 1;  // factors of the duration: of corrections; of those and whole cycles
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ class Progress;
 
 struct SplinePlanning {
   std::vector<SplineMotion::Piece> pieces;  ///< pieces as planned, from rest to rest
-  Machine machine;                          ///< as many axes, with limits up to the snap
+  Machine machine;                          ///< machine with as many axes and with limits up to the snap
   int continuous = 3;                       ///< order up to which derivatives are continuous
   int columns = 2;                          ///< order up to which the setpoints have columns of derivatives, 0 to 4
   Bound bound;

@@ -8,8 +8,8 @@
 namespace bahnwerk::probe {
 namespace {
 
-constexpr double least_phase = 1e-6;  // of the motion's duration: rounding leaves 2e-10 of the phase open
-constexpr double kept = 5e-10;        // by which a motion that keeps its limits may seem to exceed them
+constexpr double least_phase = 1e-6;  // relative to the motion's duration: rounding leaves 2e-10 of the phase open
+constexpr double kept = 5e-10;        // relative excess that a motion that keeps its limits may seem to have
 
 }  // namespace
 

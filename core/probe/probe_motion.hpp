@@ -1,5 +1,6 @@
 #pragma once
-/// What every method of kind `probe_path` plans: polynomials in time with the times at which the points are passed.
+/// Motion that every method of kind `probe_path` plans: polynomials in time with the times at which the points are
+/// passed.
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -14,7 +15,7 @@
 
 namespace bahnwerk {
 
-/// What the head does in a phase. `rest`: it stands still at a point for a moment (begin = end). `interval`: it goes
+/// The head's motion in a phase. `rest`: it stands still at a point for a moment (begin = end). `interval`: it goes
 /// from one point to the next one in a single phase.
 enum class ProbePhaseKind { accelerate, hold, brake, turn, rest, interval };
 inline constexpr Named<ProbePhaseKind> probe_phase_kinds[] = {{ProbePhaseKind::accelerate, "accelerate"},
@@ -27,28 +28,29 @@ inline constexpr Named<ProbePhaseKind> probe_phase_kinds[] = {{ProbePhaseKind::a
 struct ProbePhase {
   ProbePhaseKind kind = ProbePhaseKind::interval;
   double begin = 0, end = 0;  ///< s
-  std::size_t point = 0;      ///< in ProbeProblem::points: where it turns or rests, else the point passed before
+  std::size_t point =
+      0;  ///< index in ProbeProblem::points of the point where it turns or rests, else of the point passed before
 };
 
-/// What a piece becomes in a motion whose times are rounded differently from the planned ones.
+/// Change of a piece in a motion whose times are rounded differently from the planned ones.
 enum class PieceJoint : char {
   exact,     ///< the piece stays as it is: acceleration and jerk are (nearly) 0 at both ends
   carried,   ///< the piece begins in the state in which the one before ends
-  landing,   ///< carried; it ends in the planned state by a polynomial of its own (core/probe/landing.hpp)
+  landing,   ///< the piece is carried; it ends in the planned state by a polynomial of its own (core/probe/landing.hpp)
   settling,  ///< landing, with a free position at its end: it is short and ends at rest
 };
 
 struct ProbeMotion {
-  std::shared_ptr<const SplineMotion> motion;  ///< as many axes as the problem has
+  std::shared_ptr<const SplineMotion> motion;  ///< motion of as many axes as the problem has
   std::vector<double> times;  ///< s, per point of ProbeProblem::points, ascending, first 0, last duration
   /// s, per piece, as planned: the ends of pieces are their rounded sums. Empty: differences of ends. slowed() starts
   /// from them; differences of ends would be rounded once more than the verifier grants.
   std::vector<double> durations;
-  std::vector<PieceJoint> joints;  ///< per piece; empty stands for exact ones
+  std::vector<PieceJoint> joints;  ///< joint of each piece; empty: all are exact
   /// The place at which a motion with carried positions has to end: the longest piece takes out what rounding adds up
   /// to in minutes at full speed.
   std::optional<Vec> end;
-  std::vector<ProbePhase> phases;  ///< in order of time
+  std::vector<ProbePhase> phases;  ///< phases in order of time
   double duration() const { return motion->duration(); }
 };
 

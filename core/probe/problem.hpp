@@ -18,9 +18,9 @@ namespace bahnwerk {
 enum class ProbeObjective { time, ripple };
 
 struct ProbeProblem {
-  std::vector<Vec> given;             ///< as in the document, mm; z = 0 in the plane
+  std::vector<Vec> given;             ///< points of the document, mm; z = 0 in the plane
   std::vector<Vec> points;            ///< N + 1 ≥ 2 points, neighbours are different; ends are those of `given`
-  std::vector<std::size_t> point_of;  ///< per given point the index in `points` of what it counts as; ascending
+  std::vector<std::size_t> point_of;  ///< index in `points` of each given point; ascending
   double tolerance = 0;               ///< δ, mm: the radius of the tube, 0 or more
   double speed = 0;                   ///< mm/s, Euclidean
   double point_tolerance = 1e-6;      ///< mm

@@ -7,7 +7,7 @@ namespace bahnwerk::probe {
 
 namespace {
 
-/// Along a way of `length` mm: braking takes half of it.
+/// Returns a speed, mm/s, that no motion along a way of `length` mm reaches: braking takes half of it.
 double unreachable_along(const ProbeProblem& problem, double length) {
   double a = 0, j = 0, s = 0;
   for (std::size_t k = 0; k < problem.dimension(); ++k) {
@@ -54,7 +54,7 @@ std::vector<ProbeProblem> slower_problems(const ProbeProblem& problem, double du
   add(0.95 * problem.speed);
   add(0.85 * problem.speed);
   const double length = polyline_length(problem), highest = unreachable_along(problem, length);
-  // At a lower speed than this no motion through the points is quicker.
+  // No motion through the points is quicker at a lower speed.
   const double lowest = length / duration;
   const int per_octave = problem.points.size() <= few ? 3 : 2;
   for (int i = steps_below(problem.speed, highest, per_octave); highest * share(i, per_octave) > lowest; ++i)
@@ -79,7 +79,7 @@ std::vector<ProbeProblem> weaker_problems(const ProbeProblem& problem) {
     list.push_back(problem);
     scale_quantity(list.back(), quantity, less, problem);
   }
-  // Every axis as the weakest one: what a stronger one adds changes nothing.
+  // Every axis has the limits of the weakest one: a stronger one changes nothing.
   AxisLimits weakest = problem.axis(0);
   for (const AxisLimits& axis : problem.machine.axes) {
     weakest.acceleration = std::min(weakest.acceleration, axis.acceleration);

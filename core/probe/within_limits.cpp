@@ -16,7 +16,7 @@ double needed_slowing(const ProbeProblem& problem, const ProbeMotion& plan, doub
   for (std::size_t i = 0; i < motion.pieces(); ++i) {
     progress.work(4);
     const double duration = motion.end(i) - motion.begin(i);
-    std::array<Vec, Bezier::max_points> c{};  // coefficients: the velocity's
+    std::array<Vec, Bezier::max_points> c{};  // coefficients of the velocity
     std::size_t n = 1;
     for (std::size_t k = 0; k < motion.axes(); ++k) {
       Polynomial p;
@@ -39,7 +39,7 @@ double needed_slowing(const ProbeProblem& problem, const ProbeMotion& plan, doub
 }
 
 ProbeMotion within_limits(const ProbeProblem& problem, ProbeMotion motion, ProgressScope& progress) {
-  // Slowed by a little it is rounded another way.
+  // A motion that is slowed by a little is rounded another way.
   constexpr double other = 1.000123, negligible = 1.5e-10;
   constexpr int rounds = 8;
   const ProbeMotion planned = motion;

@@ -38,7 +38,7 @@ double distance_to(const Edge& edge, Point p) {
     if (along < 0 || along > length) return ends;
     return std::abs((p.x - edge.from.x) * dy - (p.y - edge.from.y) * dx) / length;
   }
-  // Within the arc's angle if the turn from its middle is at most half of its turn.
+  // The point is within the arc's angle if the turn from its middle is at most half of its turn.
   const Point middle = edge.at(0.5);
   const double mx = middle.x - edge.centre.x, my = middle.y - edge.centre.y;
   const double px = p.x - edge.centre.x, py = p.y - edge.centre.y;
@@ -93,7 +93,7 @@ double deepest_overlap(std::span<const Point> wires, double radius, double share
 }
 
 void raise(Check& check, double value, double at) {
-  // Not a number is worse than every number.
+  // Not-a-number counts as worse than every number.
   if (value > check.value || std::isnan(value)) {
     check.value = value;
     check.at = at;

@@ -9,7 +9,7 @@
 
 namespace bahnwerk::verify {
 
-inline constexpr double limit_tolerance = 1e-9;  ///< relative, of every limit that the document sets
+inline constexpr double limit_tolerance = 1e-9;  ///< relative tolerance of every limit that the document sets
 
 /// The largest value so far, with its time, s.
 struct Worst {

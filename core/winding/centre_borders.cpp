@@ -26,7 +26,7 @@ CentreBorders centre_borders(const Region& usable_area, double radius, Progress*
     if (!edge.straight() && edge.turn > 0 && std::abs(edge.radius - radius) <= fit_margin) corner(edge.centre);
   std::vector<std::vector<double>> cuts(edges.size(), {0, 1});
   for (const Edge& edge : edges) {
-    corner(edge.from);  // where edges join all but smoothly, their crossing may get lost in rounding
+    corner(edge.from);  // edges that join all but smoothly may lose their crossing in rounding
     corner(edge.to);
   }
   const auto cut = [&](std::size_t i, std::size_t k, const Meeting& m) {

@@ -9,7 +9,8 @@
 
 namespace bahnwerk::winding {
 
-/// Fill factors: copper in the slot as punched [Herrmann (2.2)], and wires in the usable area (2.3); areas in mm².
+/// Return fill factors: copper in the slot as punched [Herrmann (2.2)], and wires in the usable area (2.3); areas in
+/// mm².
 double electrical_fill(std::size_t count, const Wire& wire, double slot_area);
 double mechanical_fill(std::size_t count, const Wire& wire, double room_area);
 
@@ -30,7 +31,8 @@ struct Turns {
   double loss = 0;        ///< share of empty places; 0 if the coil does not fit
   bool fits = false;      ///< whether the layout holds the coil: at least one turn with all of its wires
 };
-/// A number that is not given becomes as large as `count` places allow; with neither, one wire in parallel.
+/// Returns the turns that `count` places take. A number that is not given becomes as large as they allow; with neither,
+/// one wire in parallel.
 Turns turns(std::size_t count, std::optional<std::size_t> serial, std::optional<std::size_t> parallel);
 
 /// Returns Ω per metre of a conductor of `parallel` wires at `temperature` °C [Herrmann (2.1)]: annealed copper, 1/58 Ω

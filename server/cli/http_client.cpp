@@ -16,7 +16,7 @@ namespace http = boost::beast::http;
 namespace {
 
 constexpr std::chrono::seconds connect_patience{10};
-constexpr std::chrono::seconds silence_patience{90};  ///< more than the longest wait that a server grants
+constexpr std::chrono::seconds silence_patience{90};  ///< patience beyond the longest wait that a server grants
 
 /// Runs one asynchronous operation to its end under the stream's timeout, because synchronous calls have none.
 template <class Start>

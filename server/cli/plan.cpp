@@ -130,7 +130,8 @@ int plan(const std::string& job, const std::string& out, const std::string& layo
          const std::vector<std::string>& drives) {
   std::vector<Drives> files{{}};
   for (const std::string& each : drives) files.push_back(read_drives(each));
-  const bool kind_layout = api::kind_of_layout(layout) != nullptr;  // otherwise a layout of rows
+  const bool kind_layout =
+      api::kind_of_layout(layout) != nullptr;  // whether the layout is a kind's own; if not, it is one of rows
   const std::string row_layout = kind_layout ? "" : layout;
   api::PlannedJob planned;
   std::vector<SetpointFile> setpoints;

@@ -45,7 +45,7 @@ bool final(const ordered_json& job) {
 /// answers about once a second, for the bar; otherwise once a minute.
 Response follow(const HttpClient& client, const std::string& id) {
   ProgressBar bar;
-  std::string etag = "\"0\"";  // of no job: the first answer comes at once
+  std::string etag = "\"0\"";  // the tag of no job: the first answer comes at once
   for (;;) {
     Pairs headers{{"Accept", "application/json"}, {"Prefer", "wait=60"}};
     if (bar.visible()) headers.emplace_back("If-None-Match", etag);

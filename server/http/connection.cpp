@@ -208,7 +208,7 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   const error_code error = co_await read_header(parser);
   first_ = false;
   stop_clock();
-  const struct Done {  // from here on nobody cuts it, except in the middle of the body
+  const struct Done {  // nobody cuts the connection from here on, except in the middle of the body
     Connection& connection;
     ~Done() {
       connection.stop_clock();
@@ -360,7 +360,8 @@ void Connection::stop_when_gone(std::shared_ptr<Feed> feed) {
   stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
                               [self = shared_from_this(), feed = std::move(feed)](error_code error) {
                                 error_code ignored;
-                                if (!error && self->stream_.socket().available(ignored) > 0) return;  // not the end
+                                if (!error && self->stream_.socket().available(ignored) > 0)
+                                  return;  // bytes have arrived: this is not the end
                                 feed->stop();
                               });
 }

@@ -32,7 +32,7 @@ class ConnectionTable {
   enum class Place { regular, spare, none };
   struct Admission {
     Place place = Place::none;
-    Id id = 0;                ///< unless none
+    Id id = 0;                ///< set unless `place` is none
     std::optional<Id> leave;  ///< connection to close; it does not count any more
   };
 

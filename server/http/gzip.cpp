@@ -38,7 +38,7 @@ std::optional<std::string> gunzip(std::string_view packed, std::size_t most) {
       z.avail_in = static_cast<uInt>(feed);
       left -= feed;
     }
-    if (whole && inflateReset(&z) != Z_OK) throw std::runtime_error("zlib: reset");  // another member
+    if (whole && inflateReset(&z) != Z_OK) throw std::runtime_error("zlib: reset");  // another member follows
     z.next_out = reinterpret_cast<Bytef*>(piece.data());
     z.avail_out = static_cast<uInt>(piece.size());
     const int code = inflate(&z, Z_NO_FLUSH);

@@ -1,4 +1,5 @@
 #pragma once
+/// Decompression of request bodies.
 #include <optional>
 #include <string>
 #include <string_view>

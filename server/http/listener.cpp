@@ -100,7 +100,7 @@ struct Listener::State {
     while (!context->closing) {
       auto [error, socket] = co_await acceptor.async_accept(asio::make_strand(io), tuple_awaitable);
       if (error == asio::error::operation_aborted || context->closing) break;
-      if (error) {  // out of descriptors, mostly: the pause lets some close
+      if (error) {  // descriptors have run out, mostly: the pause lets some close
         log::warn("accept_failed", {{"detail", error.message()}});
         if (const auto idle = context->table.longest_waiting(std::chrono::steady_clock::now())) open.cut(*idle);
         pause.expires_after(std::chrono::milliseconds(100));
@@ -114,7 +114,7 @@ struct Listener::State {
   void spawn(tcp::socket socket) {
     const auto admission = context->table.admit(address_key(socket), std::chrono::steady_clock::now());
     if (admission.leave) open.cut(*admission.leave);
-    if (admission.place == ConnectionTable::Place::none) return;  // even refusing politely has its limit
+    if (admission.place == ConnectionTable::Place::none) return;  // even a polite refusal has its limit
     const bool spare = admission.place == ConnectionTable::Place::spare;
     const auto executor = socket.get_executor();
     const auto connection = std::make_shared<Connection>(std::move(socket), context, admission.id, spare);

@@ -21,9 +21,9 @@ struct Fault {
 struct Request {
   std::string method;                 ///< upper case as sent
   std::string target;                 ///< target as sent
-  std::string path;                   ///< decoded, for messages and logs
+  std::string path;                   ///< decoded path, for messages and logs
   std::vector<std::string> segments;  ///< the path's parts, each decoded: "/v1/jobs/a%2Fb" → v1, jobs, a/b
-  Pairs query;                        ///< decoded, in order
+  Pairs query;                        ///< decoded parameters, in order
   Pairs headers;                      ///< names in lower case, in order
   std::string body;
   std::shared_ptr<void> body_share;  ///< part of the memory for bodies; returned with the last copy

@@ -14,7 +14,8 @@ namespace bahnwerk::server {
 class ChangeFeed {
  public:
   struct Hooks {
-    /// Called from any thread; it has to be quick and must not throw. A job's own commits may be reported twice.
+    /// Receives changes on any thread; it has to be quick and must not throw. A job's own commits may be reported
+    /// twice.
     std::function<void(const std::vector<Changed>&)> changed;
     std::function<void()> all;  ///< changes may have been missed: every job has to be checked
   };
@@ -31,7 +32,7 @@ class ChangeFeed {
   ChangeSource& source_;
   const Hooks hooks_;
   const std::chrono::milliseconds interval_;
-  std::uint64_t seen_ = 0;  ///< used by the polling thread
+  std::uint64_t seen_ = 0;  ///< number of the last change seen; the polling thread alone uses it
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stop_ = false;

@@ -40,7 +40,7 @@ class LiveJob {
 class LiveJobs {
  public:
   std::shared_ptr<LiveJob> add(const api::Job& job);
-  void remove(const LiveJob& live);  ///< unless a later attempt has taken its place
+  void remove(const LiveJob& live);  ///< removes the job, unless a later attempt has taken its place
   void cancel(const std::string& id);
   void interrupt_all();
   void overlay(api::Job& job) const;

@@ -55,8 +55,8 @@ class Notifier {
   Waiters waiters_;
   std::multimap<std::string, Token> by_job_;
   std::multimap<Clock::time_point, Token> by_time_;
-  std::vector<std::function<void()>> take_all();                    ///< under the lock
-  std::function<void()> take(Waiters::iterator waiter);             ///< removes it from all indexes; under the lock
+  std::vector<std::function<void()>> take_all();         ///< removes and returns all callbacks; needs the lock
+  std::function<void()> take(Waiters::iterator waiter);  ///< removes it from all indexes; under the lock
   void advance(Waiters::iterator waiter, Clock::time_point until);  ///< an earlier time for it; under the lock
   bool released_ = false, stop_ = false;
   std::thread thread_;

@@ -32,7 +32,7 @@ class JobProgress final : public Progress {
   void report(std::string_view stage, double fraction, std::string_view message = {}) override;
   Stop stopped() const { return stopped_; }
   std::uint64_t reports() const { return reports_; }  ///< number of reports
-  /// Number of calls after the planner was told to stop; 0 if it stops at once.
+  /// Returns the number of calls after the planner was told to stop; 0 if it stops at once.
   std::uint64_t reports_after_stop() const { return reports_after_stop_; }
 
  private:

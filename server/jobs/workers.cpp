@@ -158,7 +158,7 @@ void Workers::run(const api::Job& job) {
   std::optional<api::Problem> problem;
   std::string unverified;  // result of a plan that failed its verification
   try {
-    if (store_.cancel_requested(id)) live->cancel = true;  // requested between the claim and now
+    if (store_.cancel_requested(id)) live->cancel = true;  // the cancel was requested between the claim and now
     progress.report("planning", 0);
     planned = planner_(job.request.kind, job.request.document, progress);
     if (!planned->verified) {
@@ -181,7 +181,7 @@ void Workers::run(const api::Job& job) {
         given_up = true;
         problem.emplace("cancelled", "The job was cancelled while its result could not be stored.");
       }
-    } catch (...) {  // not the store: stopped, or the plan's own setpoints could not be computed
+    } catch (...) {  // the store works: the planner was stopped, or the plan's own setpoints could not be computed
       problem = api::problem_from_current_exception("/spec");
     }
   }

@@ -48,7 +48,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     std::optional<api::Job> job;
     try {
       job = find_job(context_, id_);
-    } catch (...) {  // deleted meanwhile, or the store failed: the client's next request gets the answer
+    } catch (...) {  // the job was deleted meanwhile, or the store failed: the client's next request gets the answer
       return give(std::nullopt);
     }
     std::string text = begun_ ? "" : "retry: 3000\n\n";
@@ -133,7 +133,7 @@ Response begin(Context& context, const Request& request) {
     response.status = 204;
     return response;
   }
-  if (known > job.revision) known = 0;  // of another job, or made up
+  if (known > job.revision) known = 0;  // the number is of another job, or made up
   response.set("Content-Type", "text/event-stream");
   response.set("X-Accel-Buffering", "no");  // proxies hold answers back until they have a block
   response.feed = std::make_shared<JobFeed>(context, job.id, known);

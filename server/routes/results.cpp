@@ -18,7 +18,7 @@ Response result(Context& context, const Request& request) {
   require_result(context, id);
   auto document = context.store.result(id);
   if (!document) require_success(context, id);                                    // a failure of an older version
-  if (!document) throw api::Problem("not-found", "There is no job " + id + ".");  // deleted in between
+  if (!document) throw api::Problem("not-found", "There is no job " + id + ".");  // the job was deleted in between
   return with_etag(request, "\"result\"", text_answer(200, "application/json", std::move(*document)));
 }
 

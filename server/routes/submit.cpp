@@ -101,7 +101,7 @@ void submit(Context& context, const RequestPtr& request, const Reply& reply) {
       job.max_queued = context.max_queued;
       context.store.insert(std::move(job),
                            [&context, request, reply](const Inserted& inserted, std::exception_ptr error) {
-                             // On the store's thread: hand over at once.
+                             // This runs on the store's thread: it hands over at once.
                              context.pool.post([&context, request, reply, inserted, error = std::move(error)] {
                                reply_with(*request, reply, [&] {
                                  if (error) std::rethrow_exception(error);

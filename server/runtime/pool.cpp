@@ -31,7 +31,7 @@ void Pool::post(std::function<void()> work) {
     if (!lowered) lower_priority(state->nice);
     lowered = true;
     work();
-    work = nullptr;  // its captures are destroyed before it counts as done
+    work = nullptr;  // the task's captures are destroyed before it counts as done
     const std::lock_guard lock(state->mutex);
     if (--state->pending == 0) state->idle.notify_all();
   });

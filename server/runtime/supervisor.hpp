@@ -19,12 +19,12 @@ class Supervisor {
 
   /// Tells whether there is a service manager.
   bool present() const { return descriptor_ >= 0; }
-  /// Interval for calls of alive(): half of the manager's interval; without a value no call is expected.
+  /// Returns the interval for calls of alive(): half of the manager's interval; without a value no call is expected.
   std::optional<std::chrono::milliseconds> heartbeat() const;
 
   // The following functions may be called from any thread, never block, and return whether the message was sent.
   bool ready(std::string_view status) const;
-  /// The end has begun and may take `within`.
+  /// Tells the manager that the end has begun and may take `within`.
   bool stopping(std::string_view status, std::chrono::milliseconds within) const;
   bool alive() const;
 

@@ -20,7 +20,7 @@ struct StoreError : std::runtime_error {
 
 struct NewJob {
   api::JobRequest request;
-  std::string idempotency_key;  ///< empty = none
+  std::string idempotency_key;  ///< key of an idempotent request; empty: none
   std::string body_hash;        ///< hash of the posted body; compared when the key was used before
   std::int64_t now = 0;
   std::size_t max_queued = 0;  ///< refuses the job when this many already wait
@@ -28,7 +28,7 @@ struct NewJob {
 struct Inserted {
   enum class What { created, replayed, conflict, full };
   What what = What::created;
-  std::string id;  ///< created, replayed
+  std::string id;  ///< id of the job, if created or replayed
 };
 
 struct JobFilter {

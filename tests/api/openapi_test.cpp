@@ -75,6 +75,41 @@ TEST(OpenApi, ListsExactlyTheSlugsKindsAndSchemas) {
   EXPECT_EQ(document["components"]["parameters"]["name"]["schema"]["enum"], schema_names);
 }
 
+TEST(OpenApi, ListsTheLayoutsOfEveryKind) {
+  const auto document = openapi_document();
+  const auto& layout = document["components"]["parameters"]["layout"];
+  std::vector<std::string> expected{"plain", "csv", "twincat", "twincat_poses"};
+  for (const auto& kind : kinds())
+    for (const std::string_view each : kind.files.layouts) {
+      expected.emplace_back(each);
+      EXPECT_NE(layout["description"].get<std::string>().find(each), std::string::npos) << each;
+    }
+  EXPECT_EQ(layout["schema"]["enum"], expected);
+  EXPECT_EQ(layout["schema"]["default"], "plain");
+}
+
+TEST(OpenApi, ANewKindBringsItsSchemasAndLayouts) {
+  static constexpr std::string_view layouts[] = {"punched_tape", "punched_card"};
+  Kind loom;
+  loom.name = "loom";
+  loom.schema = R"({"$defs": {"thread": {"type": "number"}}, "properties": {"warp": {"$ref": "#/$defs/thread"}}})";
+  loom.result_schema = R"({"type": "object"})";
+  loom.files = {"pattern", layouts, "Header X-Threads counts them.", nullptr};
+  const auto components = openapi_document({&loom, 1})["components"];
+  EXPECT_EQ(components["schemas"]["JobDocument"]["properties"]["kind"]["enum"], std::vector<std::string>{"loom"});
+  EXPECT_EQ(components["schemas"]["loom"]["properties"]["warp"]["$ref"], "#/components/schemas/loom.thread");
+  EXPECT_EQ(components["schemas"]["loom.thread"]["type"], "number");
+  EXPECT_EQ(components["schemas"]["loom.result"]["type"], "object");
+  const auto& layout = components["parameters"]["layout"];
+  EXPECT_EQ(layout["schema"]["enum"],
+            (std::vector<std::string>{"plain", "csv", "twincat", "twincat_poses", "punched_tape", "punched_card"}));
+  const std::string text = layout["description"], end =
+                                                      " Of kind loom also a whole pattern, with no other parameter: "
+                                                      "punched_tape, punched_card. Header X-Threads counts "
+                                                      "them.";
+  EXPECT_EQ(text.substr(text.size() - end.size()), end);
+}
+
 TEST(OpenApi, EveryReferenceLeadsSomewhereAndEveryComponentIsUsed) {
   const auto document = openapi_document();
   std::set<std::string> used;

@@ -144,7 +144,7 @@ void throw_if_any(std::vector<InputFault> faults) {
 /// The request of a job, with all checks that do not need its geometry.
 struct ContourJob {
   std::optional<CoarseFineMachine> coarse_fine;
-  Machine head;  ///< of coarse and fine axes the sums
+  Machine head;  ///< the machine; of coarse and fine axes the sums
   ContourPlanning planning;
   RedundancyOptions redundancy;
   std::vector<StudyRequest> studies;
@@ -212,13 +212,15 @@ ContourPlan plan_cartesian(ContourJob& job, Progress& progress) {
   return plan;
 }
 
-constexpr double planned_of_study = 0.15;  // of the progress of a job with a study: the machine as it is
+constexpr double planned_of_study =
+    0.15;  // part of the progress in which a job with a study plans the machine as it is
 
 Planned plan_with_fine_axes(const ContourJob& job, Progress& progress) {
   const CoarseFineMachine& machine = *job.coarse_fine;
   const bool study = job.planning.machine_study;
   ProgressPart part(progress, "planning", 0, planned_of_study);
-  Progress& first = study ? static_cast<Progress&>(part) : progress;  // without a study its stages have their names
+  Progress& first =
+      study ? static_cast<Progress&>(part) : progress;  // a job without a study shows the planner's own stages
   Planned planned;
   planned.coarse_fine = plan_coarse_fine(job.contour, machine, job.planning, job.redundancy, first);
   std::vector<std::string>& notes = planned.head().notes;

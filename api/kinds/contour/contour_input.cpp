@@ -158,7 +158,7 @@ Contour from_blocks(const json& contour, Progress& progress) {
   check.finish();
 
   ContourBuilder builder(dimension, vec(contour["start"]));
-  constexpr std::size_t segments_per_report = 256;  // up to 0.1 ms each
+  constexpr std::size_t segments_per_report = 256;  // units of up to 0.1 ms each
   std::size_t read = 0;
   for (const auto& block : blocks) {
     builder.block(block["mode"] == "cut" ? Mode::cut : Mode::position, feed(block));

@@ -136,7 +136,7 @@ struct Asked {
 
 ordered_json details(const Asked& asked, const FillPlan& plan, Progress& progress) {
   const winding::Slot& given = asked.fill.slot;
-  const double area = given.iron.area();  // of all coil sides
+  const double area = given.iron.area();  // area of all coil sides
   ordered_json layouts = ordered_json::array(), best = ordered_json::array();
   for (const FilledLayout& filled : plan.layouts) {
     progress.report("writing", 1);

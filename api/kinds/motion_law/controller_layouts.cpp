@@ -23,7 +23,7 @@ using nlohmann::json;
 struct StoredLaw {
   cam::CamLaw law;
   cam::TableCycle cycle;
-  std::string unit;  // the slave's
+  std::string unit;  // unit of the slave
 
   explicit StoredLaw(const json& result) {
     const json& details = result.at("details");
@@ -78,7 +78,7 @@ class Rows {
   std::string text_;
 };
 
-/// What TwinCAT calls a point: 1 rest, 2 velocity, 4 turn, 8 motion.
+/// Type of a point in TwinCAT: 1 rest, 2 velocity, 4 turn, 8 motion.
 class PointTypes {
  public:
   explicit PointTypes(const ControllerTable& table) {
@@ -138,8 +138,7 @@ std::string isg(const ControllerTable& table, const std::string& name, const std
   return out + "EndTable\r\n";
 }
 
-/// What a controller makes of a law whose end is not its begin when the table closes: it goes back within the last
-/// step.
+/// Closes the table of a law whose end is not its begin: the controller goes back within the last step.
 void close_table(ControllerTable& table, const cam::TableCycle& cycle) {
   TablePoint& last = table.points.back();
   const double jump = std::abs(table.points.front().position - last.position);

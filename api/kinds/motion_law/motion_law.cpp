@@ -51,7 +51,9 @@ ResultFile cam_table(const nlohmann::json& result, std::string_view layout) {
 struct MotionLawKind {
   static constexpr std::string_view name = "motion_law";
   static constexpr std::string_view title = "A motion law for a cam or servo drive";
-  static constexpr ResultFiles files{"cam table", layout_names, cam_table};
+  static constexpr ResultFiles files{
+      "cam table", layout_names,
+      "Header X-Refit-Error says by how much the controller's motion then differs from the law.", cam_table};
 
   static MotionLawRequest read(const nlohmann::json& spec, Progress&) { return request(spec); }
 

@@ -7,10 +7,10 @@
 
 namespace bahnwerk::api::motion_law {
 
-/// Empty ranges, angles that cannot ascend, ends of an open law, degrees above 21, sections that do not exist, weights,
-/// drive and vibration without what they need. Places are relative to the spec.
+/// Returns the faults of the problem: empty ranges, angles that cannot ascend, ends of an open law, degrees above 21,
+/// sections that do not exist, weights, drive and vibration without what they need. Places are relative to the spec.
 std::vector<InputFault> problem_faults(const cam::MotionLawProblem& problem);
-/// A cycle time that does not divide the cycle, tables that are too long.
+/// Returns the faults of the table: a cycle time that does not divide the cycle, tables that are too long.
 std::vector<InputFault> sampling_faults(const cam::MotionLawProblem& problem, const LawSampling& sampling);
 
 }  // namespace bahnwerk::api::motion_law

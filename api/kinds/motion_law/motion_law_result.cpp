@@ -85,7 +85,7 @@ ordered_json peak(const LawPlan& plan, std::size_t order) {
           {"section", plan.solution.law.piece(p.piece).section}};
 }
 
-/// What a law without limits of sections does beyond its points.
+/// Adds a note if a law without limits of sections leaves the range of its points.
 void note_overshoot(const LawPlan& plan, std::vector<std::string>& notes) {
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const cam::MotionPoint& p : plan.problem.points) {

@@ -8,12 +8,12 @@
 
 namespace bahnwerk::api::probe_path {
 
-/// The spec in core's terms; throws InvalidInput naming every fault.
+/// Returns the spec in core's terms; throws InvalidInput naming every fault.
 ProbeRequest request(const nlohmann::json& spec);
-/// What the document says and the plan does not use.
+/// Returns sentences on what the document contains and the plan does not use.
 std::vector<std::string> notes(const nlohmann::json& spec);
 
-/// The result's details: methods, points, phases, pieces.
+/// Returns the result's details: methods, points, phases, pieces.
 nlohmann::ordered_json details(const ProbeRequest& request, const std::vector<std::string>& notes,
                                const ProbePlan& plan);
 

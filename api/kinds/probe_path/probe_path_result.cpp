@@ -1,4 +1,4 @@
-// What a result of kind "probe_path" says beside its figures.
+// Members of a result of kind "probe_path" beside its figures.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t most_listed = 10'000;  // pieces and phases
 
-/// Per point of the document; those that count as one have one time.
+/// Lists the points of the document; those that count as one have one time.
 ordered_json points(const ProbePlan& plan) {
   const ProbeProblem& problem = *plan.problem;
   ordered_json list = ordered_json::array();

@@ -52,7 +52,7 @@ double wire_strength(const json& spec) {
 }
 
 double wire_force(const json& spec, const winding::Wire& wire) {
-  constexpr double usual_share = 0.1;  // of what the wire bears
+  constexpr double usual_share = 0.1;  // part of the wire's breaking force
   return given<double>(member(spec, "pull"), "force")
       .value_or(usual_share * winding::breaking_pull(wire, wire_strength(spec)));
 }

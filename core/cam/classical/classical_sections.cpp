@@ -164,7 +164,7 @@ std::vector<std::optional<GivenSection>> classical_sections(const MotionLawProbl
   }
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   constexpr double tolerance = 1e-9;
-  // What the points ask for, and where two laws meet.
+  // The laws are compared with what the points ask for, and with each other where two meet.
   for (std::size_t s = 0; s < n; ++s) {
     if (!out[s]) continue;
     for (const bool at_end : {false, true}) {

@@ -15,18 +15,19 @@
 
 namespace bahnwerk::cam {
 
-/// What a law begins and ends with: position, velocity, acceleration, jerk.
+/// State in which a law begins or ends: position, velocity, acceleration, jerk.
 struct SectionEnds {
   double from[4]{}, to[4]{};
 };
-/// A section of the law between `begin` and `end` s. λ: none is 0.5.
+/// Returns a section of the law between `begin` and `end`, s, with its inflection at the share λ of its length; none:
+/// 0.5.
 GivenSection classical_section(ClassicalLaw law, std::optional<double> inflection, double begin, double end,
                                const SectionEnds& ends);
 
-/// One entry per section, none where the section is a polynomial; empty where no point names a law. States at the ends
-/// are the numbers of the points; a velocity that is not given is that of a straight section beside it, else 0, as are
-/// higher derivatives. Throws InvalidInput: a position that is no number, a value or range that the law does not keep,
-/// laws that do not join as the point's continuity asks, an inflection of a straight line.
+/// Returns one entry per section, none where the section is a polynomial; an empty list where no point names a law.
+/// States at the ends are the numbers of the points; a velocity that is not given is that of a straight section beside
+/// it, else 0, as are higher derivatives. Throws InvalidInput: a position that is no number, a value or range that the
+/// law does not keep, laws that do not join as the point's continuity asks, an inflection of a straight line.
 std::vector<std::optional<GivenSection>> classical_sections(const MotionLawProblem& problem,
                                                             const std::vector<double>& breaks);
 

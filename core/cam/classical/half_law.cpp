@@ -91,8 +91,8 @@ std::vector<HalfLawPiece> gutman(int harmonics) {
 /// Acceleration: a quarter sine up to 1/8, constant up to 3/8, a quarter cosine down to 0 at 1/2.
 std::vector<HalfLawPiece> modified_trapezoid() {
   const double ca = 8 * pi / (2 + pi), w = 4 * pi;
-  const double v1 = ca / w, s1 = ca / w / 8 - ca / (w * w);   // at 1/8
-  const double v2 = v1 + ca / 4, s2 = s1 + v1 / 4 + ca / 32;  // at 3/8
+  const double v1 = ca / w, s1 = ca / w / 8 - ca / (w * w);   // state at 1/8
+  const double v2 = v1 + ca / 4, s2 = s1 + v1 / 4 + ca / 32;  // state at 3/8
   const Zone rise{0.125, 0, ca / w, 0, {{-ca / (w * w), w, 0}}};
   const Zone plateau{0.375, s1 - v1 / 8 + ca / 128, v1 - ca / 8, ca / 2, {}};
   // v = v2 + ca/w sin(w (z − 3/8)); s = s2 + v2 (z − 3/8) + ca/w² (1 − cos(w (z − 3/8)))

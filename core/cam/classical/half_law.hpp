@@ -10,14 +10,15 @@
 
 namespace bahnwerk::cam {
 
-/// f over [begin, end] ⊂ [0, 1/2] in Bernstein form; sines by their Taylor polynomials, to 1e-15.
+/// A piece of f over [begin, end] ⊂ [0, 1/2] in Bernstein form; sines by their Taylor polynomials, to 1e-15.
 struct HalfLawPiece {
   double begin = 0, end = 0;
   std::vector<double> bernstein;
 };
-/// Pieces that cover [0, 1/2]. Throws std::logic_error for `straight`, which has no halves.
+/// Returns pieces that cover [0, 1/2]. Throws std::logic_error for `straight`, which has no halves.
 std::vector<HalfLawPiece> half_law(ClassicalLaw law);
-/// f'(1/2), the law's Cv where it rests at both ends.
+/// Returns f'(1/2), the velocity coefficient C_v: the largest velocity of a law from rest to rest of unit stroke and
+/// time.
 double middle_velocity(const std::vector<HalfLawPiece>& half);
 
 }  // namespace bahnwerk::cam

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double wanted_gap = 0.01;
 constexpr int most_pieces = 16;
-constexpr int hopeless_degrees = 3;     // in a row that gain nothing: with free angles the search ends
+constexpr int hopeless_degrees =
+    3;  // the search over free angles ends after so many degrees in a row that gain nothing
 constexpr std::size_t most_boxes = 60;  // programs of branch and bound
 
 class Search {
@@ -56,14 +57,14 @@ int least_degree(const LawTask& task) {
 
 namespace {
 
-/// What laws have in common that a bound is over, where that is not all.
+/// Returns what the laws under a bound have in common, if the bound is not over all laws.
 const char* common_sections(const LawTask& task) {
   const bool any =
       std::any_of(task.given.begin(), task.given.end(), [](const auto& given) { return given.has_value(); });
   return any ? "; over all laws that contain the classical sections" : "";
 }
 
-/// What a bound takes for granted where neither weights nor conditions limit what rounding of its multipliers is worth.
+/// Returns what a bound assumes if neither weights nor conditions limit what rounding of its multipliers is worth.
 const char* assumption(const LawTask& task, double objective) {
   return task.weight[1] > 0 && task.weight[2] > 0 && position_bound(task, objective) > 0
              ? ""
@@ -152,13 +153,13 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
     int degree;
     SplineResult spline;
   };
-  std::vector<Tried> tried;  // with the most pieces
+  std::vector<Tried> tried;  // results with the most pieces
   double least_objective = std::numeric_limits<double>::infinity();
   bool found = false;
   int without_gain = 0;
   for (int degree = least; degree <= max_degree && !found && !(task.free_angles() && without_gain == hopeless_degrees);
        ++degree) {
-    // More pieces are never worse where they divide each other: the most first.
+    // More pieces are never worse if they divide each other: the largest number comes first.
     SplineResult most = search.at(degree, most_pieces, times, 1e-5);
     found = good(most);
     const bool gains = usable(most) && most.objective < least_objective * (1 - 1e-4);
@@ -170,8 +171,8 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   choice.pieces = first_pieces;
   choice.spline = std::move(first);
   if (!tried.empty()) {
-    // Where the bound is out of reach: the least J, with free angles, whose refinement is dear, the smallest within 1
-    // %.
+    // If the bound is out of reach, the least J counts with free angles, whose refinement is dear; else the smallest
+    // degree within 1 %.
     if (!found) target = least_objective * (task.free_angles() ? 1 : (1 + 1e-4) / (1 + wanted_gap));
     Tried& smallest = *std::find_if(tried.begin(), tried.end(), [&](const Tried& each) { return good(each.spline); });
     choice.degree = smallest.degree;
@@ -182,7 +183,7 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
         break;
       }
   }
-  // To the gap of laws with a given degree; what rounding makes worse is not taken.
+  // The law is refined to the gap of laws with a given degree; a result that rounding makes worse is not taken.
   SplineResult settled;
   if (task.free_angles()) {
     FreeAngles free = refine_angles(task, SectionBasis(choice.degree, choice.pieces), times, progress);

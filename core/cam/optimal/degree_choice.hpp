@@ -12,9 +12,9 @@ namespace bahnwerk::cam {
 struct DegreeChoice {
   int degree = 0, pieces = 1;
   SplineResult spline;  ///< angles and coefficients
-  double bound = 0;     ///< over all laws
-  std::string basis;    ///< what the bound rests on
-  int programs = 0;     ///< solved
+  double bound = 0;     ///< lower bound of J over all laws
+  std::string basis;    ///< method that proves the bound, for people
+  int programs = 0;     ///< number of programs solved
   std::vector<std::string> notes;
 };
 
@@ -25,7 +25,7 @@ class KnownLaw;
 /// Sets the bound over all laws and what it is made of; counts its programs.
 void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress);
 
-/// The smallest degree that `optimal` takes: one more than any continuity, 3 at least, 21 at most.
+/// Returns the smallest degree that method `optimal` takes: one more than any continuity, 3 at least, 21 at most.
 int least_degree(const LawTask& task);
 
 }  // namespace bahnwerk::cam

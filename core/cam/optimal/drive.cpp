@@ -15,7 +15,7 @@ namespace {
 constexpr double wanted = 1e-7;  // share of the duration that may be left between long enough and too short
 constexpr int most_durations = 60;
 
-/// Whether a stretched law is one, too: all derivatives that are asked for are 0 or ranges that contain it.
+/// Returns whether a stretched law is one, too: all derivatives that are asked for are 0 or ranges that contain it.
 bool stretches(const MotionLawProblem& problem) {
   const auto contains_zero = [](const Range& range) { return range.min <= 0 && range.max >= 0; };
   for (const MotionPoint& point : problem.points) {

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most = 23;  // coefficients
 using Coefficients = std::array<double, most>;
 
-/// Positive where larger: +1 for the maximum, −1 for the minimum.
+/// The sign is positive where larger is better: +1 for the maximum, −1 for the minimum.
 void enclose(std::span<const double> bernstein, double sign, Extremum& best) {
   const std::size_t n = bernstein.size();
   struct Part {

@@ -7,19 +7,19 @@ namespace bahnwerk::cam {
 
 struct Extremum {
   double at;     ///< parameter, [0, 1]
-  double value;  ///< the polynomial's, with its sign
+  double value;  ///< value of the polynomial, with its sign
 };
-/// Local extrema and both ends, rising in `at`. Two that lie closer than a seventh of what Chebyshev points of the
-/// degree are apart may be missed. Cost: O(degree²) and O(degree · 40) per extremum.
+/// Finds the local extrema, and both ends, in ascending order of `at`. Two that lie closer than a seventh of the
+/// distance of Chebyshev points of the degree may be missed. Cost: O(degree²), and O(degree · 40) per extremum.
 void find_extrema(std::span<const double> bernstein, std::vector<Extremum>& out);
 
-/// max p over [0, 1] from above: at most 1e-13 of the largest coefficient more than the maximum. Subdivision; the
-/// Bernstein coefficients enclose what they belong to (Farouki, CAGD 29, 2012).
+/// Returns an upper bound of max p over [0, 1], by at most 1e-13 of the largest coefficient too large. It subdivides
+/// the interval, on whose parts Bernstein coefficients enclose the polynomial (Farouki, CAGD 29, 2012).
 Extremum greatest_value(std::span<const double> bernstein);
-/// max |p| over [0, 1] from above, as close; `value` is not negative.
+/// Returns an upper bound of max |p| over [0, 1] of the same accuracy; `value` is not negative.
 Extremum greatest_magnitude(std::span<const double> bernstein);
 
-/// de Casteljau. O(degree²).
+/// Returns the value at v by de Casteljau's algorithm. O(degree²).
 double evaluate_bernstein(std::span<const double> bernstein, double v);
 
 }  // namespace bahnwerk::cam

@@ -9,8 +9,8 @@ namespace bahnwerk::cam {
 namespace {
 
 constexpr int most_steps = 30;
-constexpr int most_halvings = 4;        // each halves the distance to the middle of the ranges
-constexpr double coarsest_gap = 1e-4;   // relative to J, for programs on the way
+constexpr int most_halvings = 4;        // each halving halves the distance to the middle of the ranges
+constexpr double coarsest_gap = 1e-4;   // gap relative to J, for programs on the way
 constexpr double least_section = 1e-3;  // share of the mean section by which angles are kept apart
 
 class AngleSearch {
@@ -29,9 +29,9 @@ class AngleSearch {
   SplineResult descend(std::vector<double> times, double least_gap) {
     double gap = coarsest_gap;  // a small part of what the last step promised
     SplineResult now = at(times, gap, nullptr);
-    double share = 1;  // how much is taken from the largest radius that is allowed
+    double share = 1;  // share of the largest allowed radius that a step takes
     for (int step = 0; step < most_steps && share > 1e-5; ++step) {
-      if (!usable(now)) {  // towards the middle of the ranges, where a law is likelier
+      if (!usable(now)) {  // the times move towards the middle of the ranges, where a law is likelier
         const std::vector<double> middle = task_.middle();
         if (times == middle || step == most_halvings) break;
         for (std::size_t i = 0; i < times.size(); ++i) times[i] += 0.5 * (middle[i] - times[i]);
@@ -94,7 +94,7 @@ class AngleSearch {
   Progress& progress_;
 };
 
-/// Ascending times in their ranges.
+/// Moves times into their ranges and makes them ascend.
 void order(const LawTask& task, std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (i > 0) times[i] = std::max(times[i], times[i - 1] + least_section);

@@ -13,12 +13,13 @@
 namespace bahnwerk::cam {
 
 struct FreeAngles {
-  SplineResult spline;                ///< that from the best start, its times in `breaks`
+  SplineResult spline;                ///< result from the best start; its `breaks` are the times
   std::vector<double> start_results;  ///< J that each start ended in
   int programs = 0;
 };
+/// Descends from several starts, which `seed` determines, and returns the least J.
 FreeAngles optimise_angles(const LawTask& task, const SectionBasis& basis, std::uint64_t seed, Progress& progress);
-/// One descent, from times that are known to be good, say those of another degree.
+/// Descends once, from times that are known to be good, say those of another degree.
 FreeAngles refine_angles(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
                          Progress& progress);
 

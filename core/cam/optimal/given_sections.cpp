@@ -30,7 +30,7 @@ Range extremes_of(const GivenSection& section, int order) {
   return out;
 }
 
-/// Over the parameter 0 … 1, positions in the task's units.
+/// Returns the law over the parameter 0 … 1, with positions in the task's units.
 LawTask::Given over_unit(const LawTask& task, GivenSection law) {
   const double first = law.breaks.front(), length = law.breaks.back() - first;
   for (double& t : law.breaks) t = (t - first) / length;
@@ -109,7 +109,8 @@ void add_given_sections(const MotionLawProblem& problem, LawTask& task) {
     std::erase_if(task.conditions, [&](const LawTask::Condition& condition) { return condition.point == p; });
     const std::size_t open = given_before ? behind : before, known = given_before ? before : behind;
     if (open == LawTask::none || task.is_given(open)) continue;
-    const bool exact = section_stretches(problem, known);  // at rest, rounding aside
+    const bool exact =
+        section_stretches(problem, known);  // whether the known section stretches with the angles of its ends
     for (int r = 0; r <= task.continuity[p]; ++r) {
       const double value = (given[known]->end_value(given_before, r) - (r == 0 ? task.origin : 0)) * task.to_task(r);
       const double rounded = r > 0 && exact ? 0 : value;

@@ -15,7 +15,7 @@ class KnownLaw {
   double objective() const { return objective_; }
   const std::vector<Range>& points() const { return points_; }  ///< times of its points, as ranges without width
   double peak(int order) const { return peaks_[static_cast<std::size_t>(order)]; }
-  /// s^(order) at t, task's units; `before`: the limit from the left.
+  /// Returns s^(order) at t, task's units; `before`: the limit from the left.
   double value(double t, int order, bool before) const;
 
  private:

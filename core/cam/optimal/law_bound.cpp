@@ -26,7 +26,7 @@ AllLawsBound bound_over_angles(const LawTask& task, const KnownLaw& law, std::si
     result.objective = std::min(open.top().bound, law.objective());
     return result;
   }
-  // No more than this can come out: the bound at the law's own angles.
+  // The bound at the law's own angles is the largest value that can come out.
   const double most = relaxation_bound(task, law.points(), law, options, progress);
   ++result.programs;
   while (!open.empty()) {

@@ -13,11 +13,12 @@ namespace bahnwerk::cam {
 
 struct AllLawsBound {
   double objective = 0;
-  std::size_t programs = 0;  ///< solved
+  std::size_t programs = 0;  ///< number of programs solved
   bool complete = true;      ///< the boxes left do not matter at the asked gap
 };
-/// Over all angles in their ranges: branch and bound over boxes of angles, best first, at most `programs` of them;
-/// stops where no box has a bound more than `gap` below the known law. Deterministic: it counts programs, not time.
+/// Bounds J over all angles in their ranges by branch and bound over boxes of angles, best first, with at most
+/// `programs` convex programs. It stops when no box has a bound more than `gap` below the known law. It is
+/// deterministic: it counts programs, not time.
 AllLawsBound bound_over_angles(const LawTask& task, const KnownLaw& law, std::size_t programs, double gap,
                                Progress& progress);
 

@@ -63,7 +63,7 @@ void explain_infeasible(const LawTask& task, const SectionBasis& basis, const st
       (basis.pieces() == 1 ? std::string(" with one piece") : " with " + std::to_string(basis.pieces()) + " pieces") +
       " per section";
   std::vector<InputFault> faults;
-  std::vector<std::size_t> named;  // given sections
+  std::vector<std::size_t> named;  // numbers of the given sections
   for (const std::size_t c : conflict.conditions) {
     if (const std::size_t given = task.conditions[c].given; given != LawTask::none) {
       if (std::find(named.begin(), named.end(), given) != named.end()) continue;

@@ -75,8 +75,8 @@ bool tighten(const LawTask& task, std::vector<Range>& at) {
   return std::none_of(at.begin(), at.end(), [](const Range& range) { return range.empty(); });
 }
 
-/// Where what a point and the sections on both sides of it allow is a single value, this is a condition: rows that hold
-/// each other would leave the programs without interior.
+/// Makes a condition of each derivative for which a point and the sections on both sides of it allow a single value:
+/// rows that hold each other would leave the programs without interior.
 void pin_values(LawTask& task) {
   for (std::size_t point = 0; point < task.points(); ++point)
     for (int r = 0; r < limited_orders; ++r) {

@@ -26,20 +26,21 @@ struct LawTask {
   };
 
   bool periodic = false;
-  double cycle = 0;                                       ///< duration
-  std::vector<Range> at;                                  ///< each point's time
-  std::vector<int> continuity;                            ///< each point's order of continuity
+  double cycle = 0;                                       ///< duration of a cycle
+  std::vector<Range> at;                                  ///< time of each point, a number or a range
+  std::vector<int> continuity;                            ///< order of continuity of each point
   std::vector<Condition> conditions;                      ///< values and ranges at points
-  std::vector<std::array<Range, limited_orders>> limits;  ///< each section's limits by order
+  std::vector<std::array<Range, limited_orders>> limits;  ///< limits of each section by order
   /// A section whose law is known, over the parameter 0 … 1: with other times of its points it is stretched.
   struct Given {
     GivenSection law;                           ///< breaks from 0 to 1, positions in these units
     std::array<double, limited_orders> peak{};  ///< largest |derivative| by order, for a length of 1
-    /// The largest |s^(order)| where the section lasts `length`.
+    /// Returns the largest |s^(order)| if the section lasts `length`.
     double peak_at(int order, double length) const;
   };
-  std::vector<std::optional<Given>> given;      ///< empty, or one entry per section
-  std::array<double, limited_orders> weight{};  ///< each peak's, in these units; J is in the user's
+  std::vector<std::optional<Given>> given;  ///< empty, or one entry per section
+  std::array<double, limited_orders>
+      weight{};  ///< weight of each order's peak, in these units; J is in the user's units
   /// J is the largest weight · peak instead of their sum: how far a law exceeds limits that are 1 / weight.
   bool largest_peak = false;
   std::vector<Vibration> vibration;
@@ -49,29 +50,30 @@ struct LawTask {
   std::size_t points() const { return at.size(); }
   std::size_t sections() const { return limits.size(); }
   std::size_t end_point(std::size_t section) const { return section + 1 < points() ? section + 1 : 0; }
-  /// The sections that end and begin at a point; none: there is no such section.
+  /// Return the sections that end and begin at a point; none: there is no such section.
   std::size_t section_before(std::size_t point) const {
     return point > 0 ? point - 1 : periodic ? sections() - 1 : none;
   }
   std::size_t section_behind(std::size_t point) const { return point < sections() ? point : none; }
   bool is_given(std::size_t section) const { return section < given.size() && given[section].has_value(); }
-  /// The velocity of a section whose limits leave one alone: a straight section.
+  /// Returns the velocity of a section whose limits admit a single one: a straight section.
   std::optional<double> constant_velocity(std::size_t section) const;
   bool free_angles() const;
-  /// Whether a section begins at the point and one ends there, whose derivatives meet.
+  /// Returns whether a section begins at the point and one ends there, whose derivatives meet.
   bool joint(std::size_t point) const { return periodic || (point > 0 && point + 1 < points()); }
-  /// Derivatives of that order of the law, in these units: what one of the user's unit/s^order is.
+  /// Returns the factor from the user's unit/s^order to the task's unit of that order.
   double to_task(int order) const;
-  /// Breaks of the sections, sections() + 1, for chosen times of the points.
+  /// Returns the breaks of the sections, sections() + 1, for chosen times of the points.
   std::vector<double> breaks(const std::vector<double>& times) const;
-  /// Times in the middle of their ranges, ascending.
+  /// Returns the middle of each point's range of times, ascending.
   std::vector<double> middle() const;
 };
 
-/// Takes from ranges of times what the order of the points excludes. false: nothing is left of one.
+/// Removes from ranges of times what the order of the points excludes. Returns false if nothing is left of one.
 bool tighten(const LawTask& task, std::vector<Range>& at);
 
-/// Needs the cycle's duration. Throws InvalidInput where classical sections do not fit (given_sections.hpp).
+/// Returns the task of a problem, which needs the cycle's duration. Throws InvalidInput where classical sections do not
+/// fit (given_sections.hpp).
 LawTask make_law_task(const MotionLawProblem& problem);
 
 }  // namespace bahnwerk::cam

@@ -22,7 +22,7 @@ std::string number(double value) {
   return text;
 }
 
-/// Both ends of a straight section: the numbers of its points, where there are any.
+/// Both ends of a straight section: the numbers of its points, if there are any.
 std::vector<double> straight_line(const MotionLawProblem& problem, const LawTask& task, std::size_t section,
                                   double begin, double length) {
   const double rise = *task.constant_velocity(section) * length * task.unit_position;
@@ -78,7 +78,8 @@ SplineResult in_weights(const MotionLawProblem& problem, const LawTask& task, co
   return spline;
 }
 
-/// Least peaks alone do not keep a law between its points: where it leaves their range, and what would prevent it.
+/// Adds a note if the law leaves the positions' range between its points, and on what would prevent it: small peaks
+/// alone do not keep it there.
 void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vector<std::string>& notes) {
   const double stroke = problem.points_stroke();
   for (std::size_t section = 0; section < problem.sections(); ++section) {
@@ -102,7 +103,7 @@ void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vec
   }
 }
 
-/// Whether a law is a spline of that degree in all sections that are free.
+/// Returns whether a law is a spline of that degree in all sections that are free.
 bool has_degree(const CamLaw& law, const LawTask& task, int degree) {
   for (std::size_t i = 0; i < law.pieces(); ++i)
     if (!task.is_given(law.piece(i).section) && law.piece(i).degree() > static_cast<std::size_t>(degree)) return false;

@@ -12,7 +12,7 @@ class Progress;
 namespace bahnwerk::cam {
 
 struct OptimalLaw {
-  LawSolution solution;  ///< with `lower` (this degree, pieces and angles) and `bound` (all laws, all angles)
+  LawSolution solution;  ///< `lower` holds for this degree, pieces and angles, `bound` for all laws and angles
   int degree = 0, pieces = 0;
   bool proven = true;  ///< objective and lower agree to 1e-7
 };

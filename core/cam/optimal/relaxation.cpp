@@ -49,7 +49,8 @@ struct Attempt {
   bool converged = false;
 };
 
-/// From the known law with its peaks `above` times what they are, and slacks of `slack` at least.
+/// Solves the program, starting with the known law with its peaks `above` times what they are, and slacks of `slack` at
+/// least.
 Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& law, const RelaxationOptions& options,
               double above, double slack, Progress& progress) {
   BorderedBand& band = program.band();

@@ -21,7 +21,8 @@ struct RelaxationOptions {
   std::size_t cells = 200;
   double gap = 1e-6;
 };
-/// No law with its points in `ranges` (one per point, task's units) has a smaller J; `law` need not be in the ranges.
+/// Returns a lower bound: no law with its points in `ranges` (one per point, task's units) has a smaller J; `law` need
+/// not be in the ranges.
 double relaxation_bound(const LawTask& task, const std::vector<Range>& ranges, const KnownLaw& law,
                         const RelaxationOptions& options, Progress& progress);
 

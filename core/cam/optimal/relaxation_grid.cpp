@@ -51,7 +51,7 @@ class Grid {
   }
 
  private:
-  /// Up to which order laws are certainly smooth from `from` to `to`.
+  /// Returns the order up to which laws are certainly smooth from `from` to `to`.
   int smooth(double from, double to) const {
     int order = 2;
     for (std::size_t k = 0; k < task_.points(); ++k)

@@ -13,14 +13,14 @@
 namespace bahnwerk::cam {
 
 struct RelaxationNode {
-  double time;          ///< the task's
-  std::size_t point;    ///< LawTask::none: of none
+  double time;          ///< time of the node, in the task's unit
+  std::size_t point;    ///< number of the point at the node; LawTask::none: there is none
   bool before = false;  ///< no cell begins here: its derivatives are the limits from the left
   bool used = false;    ///< a cell begins or ends here
   int joined = 0;       ///< derivatives 0 … joined − 1 are those of the node before it
 };
 struct RelaxationCell {
-  std::size_t left;     ///< its nodes: left, left + 1
+  std::size_t left;     ///< left node of the cell; left + 1 is the right one
   int smooth;           ///< derivatives up to this order are certainly continuous inside, 2 at most
   std::size_t section;  ///< the section that it certainly belongs to; LawTask::none: several may have it
 };
@@ -31,10 +31,12 @@ struct RelaxationGrid {
   bool closing(std::size_t node) const { return periodic && node + 1 == nodes.size(); }
 };
 
-/// Whether a section has no cells: a given one, or one whose position or velocity is a number between fixed times.
+/// Returns whether a section has no cells: a given one, or one whose position or velocity is a number between fixed
+/// times.
 bool is_known(const LawTask& task, const std::vector<Range>& ranges, std::size_t section);
 
-/// `ranges`: one per point, ascending as tighten() leaves them. About `cells` cells, 4 per section at least.
+/// Lays a grid of about `cells` cells, 4 per section at least. `ranges` has one entry per point, ascending as tighten()
+/// leaves them.
 RelaxationGrid lay_grid(const LawTask& task, const std::vector<Range>& ranges, std::size_t cells);
 
 }  // namespace bahnwerk::cam

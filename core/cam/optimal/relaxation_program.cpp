@@ -50,10 +50,10 @@ RelaxationProgram::RelaxationProgram(const LawTask& task, const std::vector<Rang
   add_cells();
 }
 
-/// Peaks are not below those of given sections.
+/// Adds the rows that keep peaks at least as large as those of given sections.
 void RelaxationProgram::add_floors() {
   for (std::size_t r = 1; r < limited_orders; ++r) {
-    double floor = 0;  // with the longest sections that the ranges allow
+    double floor = 0;  // peak in the longest sections that the ranges allow
     for (std::size_t s = 0; s < task_.given.size() && counted_[r]; ++s) {
       if (!task_.given[s]) continue;
       const std::size_t end = task_.end_point(s);
@@ -149,7 +149,7 @@ void RelaxationProgram::row(std::size_t first, std::span<const double> weights, 
   band_.add_row(row);
 }
 
-/// Ranges at points, and values where the angle is free.
+/// Adds ranges at points, and values where the angle is free.
 void RelaxationProgram::add_points() {
   for (std::size_t i = 0; i < grid_.nodes.size(); ++i) {
     const RelaxationNode& node = grid_.nodes[i];

@@ -21,7 +21,7 @@ class RelaxationProgram {
 
   BorderedBand& band() { return band_; }
   const RelaxationGrid& grid() const { return grid_; }
-  /// The variable of s^(order) at a node; that of order 0 is the first of three.
+  /// Returns the variable of s^(order) at a node; that of order 0 is the first of three.
   static std::size_t variable(std::size_t node, int order) { return 3 * node + static_cast<std::size_t>(order); }
   bool counted(std::size_t order) const { return counted_[order]; }
   std::size_t peak_variable(std::size_t order) const { return band_.border_index(border_[order]); }
@@ -48,7 +48,7 @@ class RelaxationProgram {
   std::array<std::size_t, limited_orders> border_{};
   double node_unit_[3];
   double scale_ = 0;
-  std::vector<bool> pinned_;  // by variable
+  std::vector<bool> pinned_;  // whether each variable is pinned to 0
 };
 
 }  // namespace bahnwerk::cam

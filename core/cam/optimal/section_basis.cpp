@@ -15,7 +15,7 @@ SectionBasis::SectionBasis(int degree, int pieces)
     : degree_(static_cast<std::size_t>(degree)), pieces_(static_cast<std::size_t>(pieces)) {
   if (pieces_ == 1) return;
   const std::size_t n = degree_, count = n + 1;
-  const auto knot = [&](std::size_t i) {  // in pieces
+  const auto knot = [&](std::size_t i) {  // knot i, in pieces
     return i <= n ? 0.0 : static_cast<double>(std::min(i - n, pieces_));
   };
   to_bernstein_.resize(pieces_ * count * count);

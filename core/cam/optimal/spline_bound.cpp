@@ -21,15 +21,16 @@ double position_bound(const LawTask& task, double upper) {
   if (position < 0) return 0;
   const double t = task.cycle;
   if (task.weight[1] > 0) return position + upper / task.weight[1] * t;
-  if (task.periodic) velocity = acceleration = 0;  // somewhere
+  if (task.periodic)
+    velocity = acceleration = 0;  // a periodic law is at rest somewhere, and has no acceleration somewhere
   if (velocity < 0) return 0;
   if (task.weight[2] > 0) return position + (velocity + upper / task.weight[2] * t) * t;
   if (acceleration < 0 || !(task.weight[3] > 0)) return 0;
   return position + (velocity + (acceleration + upper / task.weight[3] * t) * t) * t;
 }
 
-/// The least change, in the last factors' measure, that makes the multipliers dual feasible but for rounding, as long
-/// as the bound grows by it. Returns the bound.
+/// Changes the multipliers least, in the last factors' measure, so that they become dual feasible but for rounding, as
+/// long as the bound grows by it. Returns the bound.
 double SplineProgram::settle_multipliers(const SplineResult& law) {
   std::vector<double> gx(point_.z.size()), ex(point_.y.size()), y(point_.y.size());
   double bound = lower_bound(law);
@@ -54,8 +55,8 @@ double SplineProgram::settle_multipliers(const SplineResult& law) {
   return bound;
 }
 
-/// How far a law with J ≤ upper may be from the current one inside a section: both pass the nearest position that is
-/// known, and neither is faster than its J allows. Infinite where nothing limits that.
+/// Returns how far a law with J ≤ upper may be from the current one inside a section: both pass the nearest position
+/// that is known, and neither is faster than its J allows. Infinite where nothing limits that.
 double SplineProgram::reach(std::size_t section, double upper, double peak_velocity) const {
   double least = std::numeric_limits<double>::infinity();
   if (!(task_.weight[1] > 0)) return least;
@@ -72,8 +73,8 @@ double SplineProgram::reach(std::size_t section, double upper, double peak_veloc
   return least;
 }
 
-/// Weak duality: cᵀx ≥ value + residualᵀx for every x that is feasible. What the residual is worth is taken at the
-/// current law, and what another law can differ from it comes off.
+/// Returns a bound by weak duality: cᵀx ≥ value + residualᵀx for every x that is feasible. The residual's worth is
+/// taken at the current law, less the largest difference of another law from it.
 double SplineProgram::lower_bound(const SplineResult& law) const {
   const DualValue dual = dual_value(band_, point_.y, point_.z);
   const double upper = law.objective;
@@ -84,7 +85,7 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
     for (std::size_t i = 0; i < band_.band_variables(); ++i)
       magnitude = std::max(magnitude, 1e3 * std::abs(point_.x[i]));
   }
-  // What the residual of a section's coefficients is worth, as a sum of values of the law at points.
+  // The residual of a section's coefficients is written as a sum of values of the law at points.
   Eigen::MatrixXd collocation = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
   std::vector<double> weights(n + 1);
   for (std::size_t j = 0; j < size; ++j) {
@@ -99,7 +100,7 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
   }
   const Eigen::PartialPivLU<Eigen::MatrixXd> factors(collocation);
   for (std::size_t section = 0; section < task_.sections(); ++section) {
-    if (task_.is_given(section)) continue;  // its variables are 0
+    if (task_.is_given(section)) continue;  // the variables of a given section are 0
     const Eigen::Map<const Eigen::VectorXd> residual(dual.residual.data() + section * size,
                                                      static_cast<Eigen::Index>(size));
     const double apart = reach(section, upper, law.peaks[1]), price = factors.solve(residual).lpNorm<1>();
@@ -119,7 +120,7 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
   return bound * unit_objective_;
 }
 
-/// Multipliers of equalities may be large: what is missing there is taken out with the last factors.
+/// Takes out with the last factors what is missing in the equalities, whose multipliers may be large.
 void SplineProgram::settle_equalities() {
   std::vector<double> gx(band_.inequality_side().size()), ex(point_.y.size()), x(point_.x.size());
   std::vector<double> kept;
@@ -144,8 +145,8 @@ void SplineProgram::settle_equalities() {
   }
 }
 
-/// What the interior-point method has left at points: equalities where its last factors were bad, and ranges by as
-/// little as a program may. The smoothest change takes both out.
+/// Takes out the residuals that the interior-point method has left at points by the smoothest change: those of
+/// equalities where its last factors were bad, and those of ranges, by as little as a program may.
 void SplineProgram::settle_points() {
   constexpr double rounding = 1e-13;
   const std::vector<double>& g = band_.inequality_side();

@@ -56,7 +56,7 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
     interior.max_iterations = 30;
     InteriorPointResult inner = solve_interior_point(band_, point_, interior);
     result.iterations += inner.iterations;
-    if (!inner.converged) {  // from the middle again, with the same points
+    if (!inner.converged) {  // the method begins in the middle again, with the same points
       center();
       interior.max_iterations = 60;
       inner = solve_interior_point(band_, point_, interior);
@@ -68,7 +68,7 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
     if (std::isfinite(lower) && (result.rounds == 0 || lower > result.lower)) result.lower = lower;
     // A law that keeps the limits is kept until a better one is found.
     const bool finite = std::all_of(point_.x.begin(), point_.x.end(), [](double x) { return std::isfinite(x); });
-    if (!finite) {  // another set of points may do
+    if (!finite) {  // another set of samples may give a finite law
       if (++failed > 2) break;
       exchange();
       add_rows();
@@ -93,7 +93,7 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
         (best.limit_violation <= 0.05 * options.violation || ++polishing > 2))
       break;
     if ((!inner.converged && ++failed > 2) || result.rounds + 1 >= options.max_rounds) break;
-    // How far this law, which may leave limits by little, is from the optimum: what the next program has to be worth.
+    // Distance of this law, which may leave limits by little, from the optimum: the next program has to be worth it.
     const double own = (result.objective - std::max(result.lower, 0.0)) / std::max(result.objective, 1e-300);
     distance = std::min(std::max(gap, best.violation), std::max({own, result.violation, 1e-10}));
     if (distance < 0.5 * last_distance) {

@@ -22,7 +22,7 @@ class Progress;
 }
 namespace bahnwerk::cam {
 
-/// What is limited at a point of a section: peak of an order, or the section's own limit.
+/// A limit at a point of a section: the peak of an order, or the section's own limit.
 struct LawSample {
   std::size_t section, piece;
   double v;  ///< parameter inside the piece, [0, 1]
@@ -33,15 +33,15 @@ struct LawSample {
 struct SplineResult {
   bool feasible = false;             ///< values and continuity do not contradict each other, limits hold
   bool converged = false;            ///< objective and lower agree
-  std::vector<double> breaks;        ///< where sections begin, and the end; the task's units
+  std::vector<double> breaks;        ///< times at which sections begin, and the end; the task's units
   std::vector<double> coefficients;  ///< SectionBasis::size() per section
   double objective = 0;              ///< J of the true peaks
   double lower = 0;                  ///< no spline of this degree, with these angles, has less
   std::array<double, limited_orders> peaks{};
   double violation = 0;        ///< the largest one of section limits and ranges, in parts of the order's unit
-  double limit_violation = 0;  ///< that of section limits alone
+  double limit_violation = 0;  ///< largest violation of section limits alone
   int rounds = 0, iterations = 0;
-  std::vector<LawSample> samples;  ///< the last round's: a start for a neighbouring program
+  std::vector<LawSample> samples;  ///< samples of the last round, a start for a neighbouring program
 };
 
 struct SplineOptions {
@@ -50,10 +50,10 @@ struct SplineOptions {
   int max_rounds = 25;
 };
 
-/// What a joint program in coefficients and times is linear at.
+/// Point at which a joint program in coefficients and times is linearised.
 struct JointReference {
-  const std::vector<double>& coefficients;  ///< the law's, at the program's times
-  std::vector<double> radius;               ///< how far each point's time may move; 0: not at all
+  const std::vector<double>& coefficients;  ///< coefficients of the law at the program's times
+  std::vector<double> radius;               ///< largest change of each point's time; 0: the time is fixed
 };
 struct JointStep {
   bool converged = false;
@@ -66,15 +66,15 @@ struct LawConflict {
   bool values = false;                  ///< values and continuity alone contradict each other
   double violation = 0;                 ///< the least that ranges and limits have to give way, in the orders' units
   std::vector<std::size_t> conditions;  ///< numbers in LawTask::conditions
-  std::vector<std::pair<std::size_t, int>> limits;  ///< section, order
+  std::vector<std::pair<std::size_t, int>> limits;  ///< numbers of sections, and orders
 };
 
 class SplineProgram {
  public:
-  /// `reference`: outlives the program, which is then one for joint_step() alone.
+  /// `reference` outlives the program, which then serves joint_step() alone.
   SplineProgram(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
                 const JointReference* reference = nullptr);
-  /// Least violation of ranges and limits, with Farkas' multipliers. A violation of next to nothing: a law exists.
+  /// Finds the least violation of ranges and limits, with Farkas' multipliers. If it is next to nothing, a law exists.
   LawConflict find_conflict(Progress& progress);
   JointStep joint_step(const std::vector<LawSample>& samples, Progress& progress);
   SplineResult solve(const SplineOptions& options, Progress& progress, const std::vector<LawSample>* samples = nullptr);
@@ -106,29 +106,29 @@ class SplineProgram {
   bool counted(int order) const { return task_.weight[static_cast<std::size_t>(order)] > 0; }
 
   void set_units(const std::array<double, limited_orders>& peaks);
-  /// How a value Σ weights · coefficients / length^order changes with the times of the section's ends, added to `out`.
+  /// Adds to `out` how a value Σ weights · coefficients / length^order changes with the times of the section's ends.
   void add_time_terms(std::size_t section, std::size_t first, const std::vector<double>& weights, int order,
                       double factor, std::vector<BorderedRow::Term>& out) const;
 
   std::size_t give_ = BorderedRow::none;         // shared variable of find_conflict: what rows give way
-  std::vector<std::size_t> equality_condition_;  // by equality: its condition, or none
+  std::vector<std::size_t> equality_condition_;  // condition of each equality, or none
   const LawTask& task_;
   const SectionBasis& basis_;
   const JointReference* reference_;
   std::vector<double> times_;
-  std::vector<std::size_t> time_border_;  // by point
+  std::vector<std::size_t> time_border_;  // shared variable of each point's time
   std::vector<double> breaks_, lengths_;
   BorderedBand band_;
   InteriorPoint point_;
   std::vector<double> start_multipliers_;
   std::vector<double> start_;                              // x of the first law, its peaks
-  std::array<double, limited_orders> unit_{};              // of the peaks
+  std::array<double, limited_orders> unit_{};              // units of the peaks
   std::array<std::size_t, limited_orders> peak_border_{};  // shared variable of the order
   double unit_objective_ = 1;
   struct Sampled {
     LawSample sample;
     double upper = -1, lower = -1;  // multipliers, −1: new
-    double slack = 0;               // of the nearer side
+    double slack = 0;               // slack of the nearer side
   };
   std::vector<Sampled> samples_;
   std::size_t initial_ = 0;          // samples that always stay
@@ -137,7 +137,7 @@ class SplineProgram {
     std::size_t section;
     bool end;
     int order;
-    double sign;  // of the derivative that is not negative
+    double sign;  // sign of the derivative that is not negative
   };
   std::vector<Contact> contacts_;  // one row each behind the ranges
   struct Floor {
@@ -151,7 +151,7 @@ class SplineProgram {
   std::vector<LawSample> found_;  // extrema of the last law
 };
 
-/// |s| of any law with J ≤ upper, in the task's units; 0 where nothing bounds it.
+/// Returns a bound of |s| for any law with J ≤ upper, in the task's units; 0 if nothing bounds it.
 double position_bound(const LawTask& task, double upper);
 
 }  // namespace bahnwerk::cam

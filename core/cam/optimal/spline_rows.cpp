@@ -12,7 +12,7 @@ void SplineProgram::add_time_terms(std::size_t section, std::size_t first, const
   if (!reference_ || order == 0) return;
   double value = 0;
   for (std::size_t k = 0; k < weights.size(); ++k) value += weights[k] * reference_->coefficients[first + k];
-  const double slope = -factor * value * order / lengths_[section];  // over the section's length
+  const double slope = -factor * value * order / lengths_[section];  // change with the section's length
   const std::size_t end = task_.periodic ? task_.end_point(section) : section + 1;
   if (time_border_[section] != BorderedRow::none) out.push_back({time_border_[section], -slope});
   if (time_border_[end] != BorderedRow::none) out.push_back({time_border_[end], slope});
@@ -125,8 +125,9 @@ void SplineProgram::build_equalities() {
   range_state_.resize(fixed_rows());
 }
 
-/// Where a section begins or ends at a value that is its limit, the first derivative that is not a condition there has
-/// to lead back into the limits: what samples near the end say only in the second or third power of their distance.
+/// A section that begins or ends at a value that is its limit has to lead back into the limits: the first derivative
+/// that is not a condition there must point inside. Samples near the end say that only in the second or third power of
+/// their distance.
 void SplineProgram::find_contacts() {
   for (std::size_t section = 0; section < task_.sections(); ++section)
     for (const bool end : {false, true}) {
@@ -151,13 +152,13 @@ void SplineProgram::find_contacts() {
     }
 }
 
-/// Whether the section before has the same value at its end.
+/// Returns whether the section before has the same value at its end.
 bool SplineProgram::shared_begin(const LawSample& sample) const {
   return sample.piece == 0 && sample.v == 0 && task_.joint(sample.section) && task_.sections() > 1 &&
          task_.continuity[sample.section] >= sample.order;
 }
 
-/// Whether the value there is a condition: a row without slack would leave the program without interior.
+/// Returns whether the value there is a condition: a row without slack would leave the program without interior.
 bool SplineProgram::pinned(const LawSample& sample) const {
   const bool begin = sample.piece == 0 && sample.v == 0, end = sample.piece + 1 == basis_.pieces() && sample.v == 1;
   if (!begin && !end) return false;
@@ -168,7 +169,7 @@ bool SplineProgram::pinned(const LawSample& sample) const {
   });
 }
 
-/// Peaks are not below those of given sections, which fall as sections get longer.
+/// Adds the rows that keep peaks at least as large as those of given sections, which fall as sections get longer.
 void SplineProgram::add_floors() {
   std::vector<BorderedRow::Term> terms;
   for (const Floor& floor : floors_) {

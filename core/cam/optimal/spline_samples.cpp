@@ -31,7 +31,7 @@ void SplineProgram::initial_samples() {
         for (std::size_t k = 0; k < count; ++k) {
           const double share = static_cast<double>(k) / static_cast<double>(count - 1);
           const double v = 0.5 - 0.5 * std::cos(std::numbers::pi * share);
-          // Where pieces meet one of them has the sample.
+          // Where pieces meet, one of them has the sample.
           if (k + 1 == count && piece + 1 < basis_.pieces() && degree > 0) continue;
           if (peak && !shared_begin({section, piece, v, r, false})) samples_.push_back({{section, piece, v, r, false}});
           if (limited && !pinned({section, piece, v, r, true})) samples_.push_back({{section, piece, v, r, true}});
@@ -95,7 +95,7 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
             if ((each.value > limit.max - 1e-3 * unit_[r] || each.value < limit.min + 1e-3 * unit_[r]) &&
                 !pinned(limit_sample)) {
               found_.push_back(limit_sample);
-              // Near an end of the section the next extremum is nearer by half: samples ahead of it.
+              // Near an end of the section each further extremum is nearer by half: samples are placed ahead of it.
               const bool begins = piece == 0 && each.at > 0 && each.at < 0.1;
               const bool ends = piece + 1 == basis_.pieces() && each.at < 1 && each.at > 0.9;
               for (const double share : {0.25, 0.0625})
@@ -169,7 +169,7 @@ void SplineProgram::exchange() {
           ++k;
           continue;
         }
-        // One contact: points of some weight beside each other, or nearer than contacts of this degree are.
+        // A contact consists of points of some weight beside each other, or nearer than contacts of this degree are.
         double mass = 0, moment = 0;
         const std::size_t from = k;
         std::size_t last = k;

@@ -1,4 +1,4 @@
-/// Where the interior-point method begins: the smoothest law, units, slacks and multipliers.
+/// Start of the interior-point method: the smoothest law, units, slacks and multipliers.
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace bahnwerk::cam {
 
-/// What keeps the squares of rows to the order of the equalities.
+/// Factor that keeps the squares of rows to the order of the equalities.
 double SplineProgram::row_weight() const {
   double steepest = 1;
   std::vector<double> magnitudes(basis_.degree() + 1);
@@ -20,7 +20,7 @@ double SplineProgram::row_weight() const {
   return 1 / (steepest * steepest);
 }
 
-/// The smoothest law of values and continuity, ranges in their middle, in the sense of least squares.
+/// Finds the smoothest law with the values and continuity, ranges in their middle, in the sense of least squares.
 bool SplineProgram::find_start() {
   for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = first_units[r];
   add_rows();
@@ -91,7 +91,7 @@ void SplineProgram::set_peaks(const std::array<double, limited_orders>& peaks, d
       point_.x[band_.border_index(peak_border_[r])] = factor * (task_.largest_peak ? most : peaks[r] / unit_[r]);
 }
 
-/// The first law with peaks above its own and multipliers of one complementarity.
+/// Starts with the first law, peaks above its own, and multipliers of one complementarity.
 void SplineProgram::center() {
   point_.x = start_;
   std::fill(point_.y.begin(), point_.y.end(), 0.0);
@@ -100,7 +100,7 @@ void SplineProgram::center() {
   set_point(0.2 / static_cast<double>(std::max<std::size_t>(1, band_.rows())));
 }
 
-/// Slacks and multipliers for the rows as they are: what a row had, else such that s z = mu.
+/// Sets slacks and multipliers for the rows as they are: a row keeps its own, a new one gets s z = mu.
 void SplineProgram::set_point(double mu) {
   const std::vector<double>& g = band_.inequality_side();
   std::vector<double> gx(g.size()), ex(point_.y.size());

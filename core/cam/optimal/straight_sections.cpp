@@ -22,7 +22,7 @@ bool is_classical(const MotionLawProblem& problem, std::size_t section) {
   return problem.points[section].law && !is_straight(problem, section);
 }
 
-/// Why straight section `i` cannot be a limit of velocity; empty: it can.
+/// Returns why straight section `i` cannot be a limit of velocity; empty: it can.
 std::string obstacle(const MotionLawProblem& problem, std::size_t i) {
   const MotionPoint &from = problem.points[i], &to = problem.points[problem.end_point(i)];
   const Range a = from.value(0), b = to.value(0);
@@ -52,7 +52,7 @@ void check_angles(const MotionLawProblem& problem, std::size_t section, Faults& 
                "as a number, or take method active_set"});
 }
 
-/// Between still points something has to be free.
+/// Checks that something is free between still points.
 void check_still_points(const MotionLawProblem& problem, Faults& faults) {
   std::vector<std::size_t> still;
   for (std::size_t p = 0; p < problem.points.size(); ++p)

@@ -9,7 +9,7 @@ namespace bahnwerk::cam {
 namespace {
 
 struct GaussRule {
-  std::array<double, 12> node, weight;  // on [0, 1]
+  std::array<double, 12> node, weight;  // nodes and weights on [0, 1]
 };
 
 /// Newton's iteration for the roots of the Legendre polynomial.

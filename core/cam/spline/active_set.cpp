@@ -91,7 +91,7 @@ class Search {
     return solve_spline(task, degrees);
   }
 
-  /// What the first balanced distribution that is not singular says of a set of conversions.
+  /// Looks at what the first balanced distribution that is not singular says of a set of conversions.
   struct Step {
     bool solved = false;
     std::vector<Violation> violations;  ///< the source's choice first
@@ -117,7 +117,7 @@ class Search {
     if (!found.degrees.empty() && succeeds(found.degrees.front())) return out;
     const std::vector<int> first = found.degrees.empty() ? std::vector<int>{} : found.degrees.front();
     found = distributions(task, options_.distributions);
-    // Where there are many, those most like the last that was not singular are taken.
+    // If there are many, those most like the last that was not singular are taken.
     if (!found.complete && last_degrees_.size() == task.sections())
       std::stable_sort(found.degrees.begin(), found.degrees.end(), [&](const auto& a, const auto& b) {
         return distance(a, last_degrees_) < distance(b, last_degrees_);
@@ -128,12 +128,12 @@ class Search {
     return out;
   }
 
-  /// All balanced distributions of one set of conversions: laws that keep all ranges are compared, others say which
-  /// conversions may follow.
+  /// Solves all balanced distributions of one set of conversions: laws that keep all ranges are compared, others say
+  /// which conversions may follow.
   void explore(const Conversions& conversions) {
     if (!visited_.insert(key(conversions)).second) return;
     const SplineTask& task = with(conversions);
-    // No more than may be solved, but for those of the source's own law.
+    // At most as many are solved as may be, except those of the source's own law.
     const std::size_t left = options_.sections > solved_sections_ ? options_.sections - solved_sections_ : 0;
     const std::size_t wanted = best_.law.pieces() > 0 ? 1 + left / task.sections() : options_.distributions;
     const DegreeDistributions found = distributions(task, std::min(options_.distributions, wanted));
@@ -167,7 +167,7 @@ class Search {
     return out;
   }
 
-  /// Lowest order first, in it the largest violation first.
+  /// Returns the violations, lowest order first, and the largest first within an order.
   std::vector<Violation> violations(const CamLaw& law, const Conversions& conversions) const {
     constexpr double tolerance = 1e-10;
     std::vector<Violation> out;
@@ -254,10 +254,10 @@ class Search {
   LawSolution best_;
   double best_objective_ = std::numeric_limits<double>::infinity();
   ConversionOrder source_;
-  static constexpr std::size_t most_sections = 100000;  // solved on the way to a first law
+  static constexpr std::size_t most_sections = 100000;  // sections solved on the way to a first law
   std::set<std::vector<std::pair<std::size_t, int>>> visited_, tried_;
   std::set<std::pair<std::size_t, int>> broken_limits_;
-  std::vector<int> last_degrees_;  // of the last system on the way that was not singular
+  std::vector<int> last_degrees_;  // degrees of the last system on the way that was not singular
   std::deque<Conversions> waiting_;
   std::size_t solved_sections_ = 0;
 };

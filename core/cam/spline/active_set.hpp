@@ -2,8 +2,8 @@
 /// The method of the source [Nolte 3]: the spline of all given values; then the range of the lowest order that is
 /// violated the most becomes a value at its violated end, and the spline is solved again, until all ranges hold.
 ///
-/// Balanced degrees may tie, and another order of conversions may end in a better law: both are looked at as far as
-/// `systems` goes, and the least J is taken.
+/// Balanced degrees may tie, and another order of conversions may end in a better law: both are tried as far as
+/// ActiveSetOptions::sections goes, and the least J is taken.
 #include <cstddef>
 #include <vector>
 
@@ -18,15 +18,16 @@ namespace bahnwerk::cam {
 
 struct ActiveSetOptions {
   std::size_t distributions = 64;  ///< the most ties of degrees per set of conversions
-  std::size_t sections = 1000;     ///< solved once there is a law, about: linear systems times their sections
-  bool source_order_only = false;  ///< no other order of conversion, one distribution until the end
+  std::size_t sections = 1000;     ///< approximate effort once there is a law: linear systems times their sections
+  bool source_order_only = false;  ///< tries the source's order of conversion alone, one distribution to the end
 };
 
-/// The conditions of a problem with chosen angles: values, sections of classical laws, no ranges yet.
+/// Returns the conditions of a problem with chosen angles: values, sections of classical laws, no ranges yet.
 SplineTask spline_task(const MotionLawProblem& problem, const std::vector<double>& at);
 
-/// Degrees that no distribution keeps to 21, sections without a condition, and systems that are singular whatever the
-/// distribution: faults at the points (InvalidInput). One linear system, ≈ 0.1 ms for 50 points.
+/// Checks a problem at chosen angles; solves one linear system, ≈ 0.1 ms for 50 points. Throws InvalidInput, with
+/// faults at the points: degrees that no distribution keeps to 21, sections without a condition, and systems that are
+/// singular whatever the distribution.
 void check_spline(const MotionLawProblem& problem, const std::vector<double>& at);
 
 /// `at`: one angle per point. Throws InvalidInput as check_spline() does, and Infeasible where no order of conversion

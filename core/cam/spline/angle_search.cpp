@@ -53,7 +53,7 @@ class AngleSearch {
     return at;
   }
 
-  /// J there; infinite where there is no law.
+  /// Returns J at a place; infinite if there is no law.
   double objective(const std::vector<double>& share) {
     ++laws_;
     progress_.report("angles", std::min(0.95, static_cast<double>(laws_) / most_laws));

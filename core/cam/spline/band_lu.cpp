@@ -18,7 +18,7 @@ double normalise(std::vector<double>& v) {
   return length;
 }
 
-/// Not orthogonal to anything that has a pattern.
+/// Returns a vector that is not orthogonal to anything that has a pattern.
 std::vector<double> start_vector(std::size_t n) {
   std::vector<double> v(n);
   double x = 0.5;

@@ -13,23 +13,23 @@ class BandLu {
     std::size_t row, column;
     double value;
   };
-  /// O(n · bandwidth²).
+  /// Factorises the matrix. O(n · bandwidth²).
   BandLu(std::size_t n, std::vector<Entry> entries);
 
   std::size_t size() const { return n_; }
   /// Overwrites b with A⁻¹ b, or A⁻ᵀ b. O(n · bandwidth). A singular matrix has its vanishing pivots replaced.
   void solve(double* b) const;
   void solve_transposed(double* b) const;
-  /// Smallest pivot by largest entry: a sign of singularity that costs nothing.
+  /// Returns the smallest pivot relative to the largest entry: a sign of singularity that costs nothing.
   double pivot_ratio() const { return pivot_ratio_; }
 
   struct NullVectors {
-    double smallest = 0;              ///< singular value
-    std::vector<double> left, right;  ///< its singular vectors, unit length
+    double smallest = 0;              ///< smallest singular value
+    std::vector<double> left, right;  ///< singular vectors of `smallest`, unit length
   };
-  /// The smallest singular value and its vectors, by inverse iteration.
+  /// Returns the smallest singular value and its vectors, by inverse iteration.
   NullVectors null_vectors(int iterations = 40) const;
-  /// Largest singular value by the smallest, by power iteration, to a few percent.
+  /// Returns the ratio of the largest to the smallest singular value, by power iteration, to a few percent.
   double condition() const;
 
  private:

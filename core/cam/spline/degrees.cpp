@@ -18,9 +18,9 @@ class Chain {
   Chain(std::vector<PointShare> points, const std::vector<bool>& sections)
       : points_(std::move(points)), sections_(sections) {}
 
-  /// The least largest degree; unreachable where a section would have no condition.
+  /// Returns the least largest degree; `unreachable` if a section would have no condition.
   int least_maximum() { return run(unreachable - 1, true); }
-  /// The least sum of squares with degrees up to `cap`; keeps what it found for list().
+  /// Returns the least sum of squares with degrees up to `cap`; keeps the solutions for list().
   int least_squares(int cap) { return run(cap, false); }
   /// Returns the least unevenness of a distribution of that sum, Σ (before − behind)² over the shares of all points,
   /// and stores its degrees: lopsided shares all along a law let its derivatives grow from section to section.
@@ -73,7 +73,7 @@ class Chain {
     return points_[section].total - before(section, choice) + before(section + 1, next) - 1;
   }
 
-  /// costs_[i][choice]: the least cost of sections i, i + 1, …
+  /// Computes costs_[i][choice], the least cost of sections i, i + 1, …
   int run(int cap, bool maximum) {
     cap_ = cap;
     costs_.assign(points_.size(), {});

@@ -9,7 +9,8 @@
 
 namespace bahnwerk::cam {
 
-/// How many of a point's `total` conditions the section before it may take; the section behind it takes the others.
+/// Range of the number of a point's `total` conditions that the section before it may take; the section behind it takes
+/// the others.
 struct PointShare {
   int total = 0;
   int before_min = 0, before_max = 0;
@@ -24,9 +25,10 @@ struct DegreeDistributions {
   int least_maximum = 0;  ///< the largest degree of the best distributions, even where it is above the limit
 };
 
-/// `shares`: one per point. `sections`: whether section i, behind point i, has unknowns; shares.size() of them around a
-/// cycle, one less along a path. Where a section has none its neighbours' points give all to the other side (the caller
-/// says so in their shares). O(points · most conditions², that once more per condition of the first point for a cycle).
+/// Distributes the degrees. `shares` has one entry per point. `sections` says whether section i, behind point i, has
+/// unknowns; it has shares.size() entries around a cycle, one less along a path. Points beside a section without
+/// unknowns give all conditions to their other side (the caller says so in `shares`). O(points · most conditions², that
+/// once more per condition of the first point for a cycle).
 DegreeDistributions balance_degrees(const std::vector<PointShare>& shares, const std::vector<bool>& sections,
                                     int max_degree, std::size_t at_most);
 

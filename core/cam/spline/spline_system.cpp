@@ -74,7 +74,7 @@ class System {
     place_rows();
   }
   std::size_t size() const { return size_; }
-  /// Once: the entries go with it.
+  /// Returns the factorisation. It may be called once: the entries move into it.
   BandLu factors() { return {size_, std::move(entries_)}; }
   const std::vector<double>& right_side() const { return right_; }
   const std::vector<SingularSystem::Row>& names() const { return names_; }
@@ -88,7 +88,7 @@ class System {
   double reference() const { return reference_; }
 
  private:
-  /// Around a cycle sections 0, n − 1, 1, n − 2 … follow each other: neighbours stay within two places.
+  /// Around a cycle, sections 0, n − 1, 1, n − 2 … follow each other: neighbours stay within two places.
   std::vector<std::size_t> order() const {
     std::vector<std::size_t> list;
     const std::size_t n = task_.sections();
@@ -102,7 +102,7 @@ class System {
     }
   }
 
-  /// How many of its conditions every point gives to the section before it.
+  /// Returns the number of conditions that every point gives to the section before it.
   std::vector<int> shares_before() const {
     const std::vector<PointShare> shares = point_shares(task_);
     const std::size_t n = task_.sections();
@@ -184,7 +184,7 @@ class System {
   std::vector<SingularSystem::Row> names_;
 };
 
-/// What the null vectors say in terms of conditions.
+/// Translates the null vectors into conditions.
 SingularSystem explain(const SplineTask& task, const System& system, const BandLu::NullVectors& null) {
   constexpr double noticeable = 0.02;
   SingularSystem out;

@@ -19,16 +19,16 @@ struct ValueCondition {
 
 /// A section whose law is known, cut into pieces that cover it.
 struct GivenSection {
-  std::vector<double> breaks;                  ///< s; the section's ends and what is between
-  std::vector<std::vector<double>> bernstein;  ///< per piece
-  /// s^(order) at the section's begin or end.
+  std::vector<double> breaks;                  ///< ends of the section and of its pieces, s
+  std::vector<std::vector<double>> bernstein;  ///< Bernstein coefficients of each piece
+  /// Returns s^(order) at the section's begin or end.
   double end_value(bool at_end, int order) const;
 };
 
 struct SplineTask {
   std::vector<double> breaks;  ///< s, sections + 1
   bool periodic = false;
-  std::vector<int> continuity;         ///< per point; ends of an open law: not used
+  std::vector<int> continuity;         ///< order of continuity of each point; not used at the ends of an open law
   std::vector<ValueCondition> values;  ///< each point and order once, order ≤ continuity but for ends of an open law
   std::vector<std::optional<GivenSection>> given;  ///< empty, or one per section
   std::size_t sections() const { return breaks.size() - 1; }
@@ -36,7 +36,7 @@ struct SplineTask {
   bool is_given(std::size_t section) const { return !given.empty() && given[section].has_value(); }
 };
 
-/// The conditions of every point that are shared between its sections; which sections have unknowns.
+/// Return the conditions of every point that are shared between its sections, and which sections have unknowns.
 std::vector<PointShare> point_shares(const SplineTask& task);
 std::vector<bool> sections_with_unknowns(const SplineTask& task);
 
@@ -45,23 +45,23 @@ struct SingularSystem {
   struct Row {
     std::size_t point = 0;
     int order = 0;
-    bool continuity = false;  ///< it asks for a derivative's continuity, not for a value
+    bool continuity = false;  ///< whether the row asks for a derivative's continuity, not for a value
   };
   std::vector<Row> dependent;     ///< rows that follow from each other or contradict, from the left null vector
   std::vector<Row> undetermined;  ///< derivatives at points that remain free, from the right null vector
 };
 
 struct SolvedSpline {
-  std::vector<std::vector<double>> bernstein;  ///< per section; empty for given ones
-  std::optional<SingularSystem> singular;      ///< then there are no coefficients
+  std::vector<std::vector<double>> bernstein;  ///< Bernstein coefficients of each section; empty for given ones
+  std::optional<SingularSystem> singular;      ///< if set, there are no coefficients
 };
-/// `degrees`: one of balance_degrees(); −1 for given sections. O(sections · (degree · conditions)²).
-/// Singular: the smallest singular value is below 1e-11 of the largest entry.
+/// Solves the system with `degrees`, one of balance_degrees(); −1 for given sections. A system counts as singular if
+/// its smallest singular value is below 1e-11 of the largest entry. O(sections · (degree · conditions)²).
 SolvedSpline solve_spline(const SplineTask& task, const std::vector<int>& degrees);
-/// The condition number of the scaled system (2-norm), to a few percent.
+/// Returns the condition number of the scaled system (2-norm), to a few percent.
 double spline_condition(const SplineTask& task, const std::vector<int>& degrees);
 
-/// The law of solved and given sections.
+/// Returns the law of solved and given sections.
 CamLaw assemble_law(const SplineTask& task, const SolvedSpline& solved);
 
 }  // namespace bahnwerk::cam

@@ -20,7 +20,7 @@ std::array<double, 4> state(const CamLaw& law, double t, bool before) {
   return out;
 }
 
-/// Bernstein coefficients of what a controller drives between two states.
+/// Returns the Bernstein coefficients of the curve that a controller drives between two states.
 std::vector<double> driven(Between between, double duration, const std::array<double, 4>& from,
                            const std::array<double, 4>& to) {
   const int k = between == Between::straight ? 1 : between == Between::quintic ? 3 : 4, n = 2 * k - 1;
@@ -73,7 +73,7 @@ void take_difference(const CamLaw& law, double t0, double t1, const std::vector<
   }
 }
 
-/// The table of points at given times; `between` of each.
+/// Returns the table of points at given times, joined by `between`.
 ControllerTable table_at(const CamLaw& law, const TableCycle& cycle, const std::vector<double>& times,
                          const std::vector<Between>& between) {
   ControllerTable out;

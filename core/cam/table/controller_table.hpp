@@ -1,6 +1,6 @@
 #pragma once
-/// What a controller makes of a cam table: points with derivatives by the master, joined by straight lines or by
-/// polynomials of degree 5 or 7, and how far that is from the law.
+/// Motion that a controller makes of a cam table: points with derivatives by the master, joined by straight lines or by
+/// polynomials of degree 5 or 7, and its distance from the law.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace bahnwerk::cam {
 
-/// How a controller goes from a point to the next one.
+/// Curve on which a controller goes from a point to the next one.
 enum class Between { straight, quintic, septic };
 
 /// Derivatives are by the master: unit per master's unit to the power of the order, on the side of the law behind the
 /// point (the last point: before it).
 struct TablePoint {
   double master = 0, position = 0, velocity = 0, acceleration = 0, jerk = 0;
-  Between next = Between::straight;  ///< how the law goes on from here
+  Between next = Between::straight;  ///< curve from this point to the next one
 };
 
 /// The cycle that a table shows: where it begins, how long it is in master's units, and in s.
@@ -26,17 +26,17 @@ struct TableCycle {
 
 struct ControllerTable {
   std::vector<TablePoint> points;
-  /// The true peak of |s^(r) − table's|, r = 0 … 3, unit/s^r, at cycle.duration.
+  /// True peak of the difference between s^(r) of the law and of the table, r = 0 … 3, unit/s^r, at cycle.duration.
   std::array<double, 4> error{};
 };
 
-/// Equal steps.
+/// Makes a table with equal steps.
 ControllerTable even_table(const CamLaw& law, const TableCycle& cycle, std::size_t steps, Between between);
 
-/// Points at the breaks of the law, pieces divided into 1, 2, 4 … 64 equal parts until the table is within 1e-6 of the
-/// stroke and 1 % of the peak jerk, or has `max_points`. A polynomial of degree 5 takes position, velocity and
-/// acceleration at its ends, one of degree 7 the jerk, too: it is used between points where the jerk does not jump. A
-/// piece of degree 5 (7) at most is itself, where both hold. `septic` false: degree 5 alone.
+/// Makes a table with points at the breaks of the law, pieces divided into 1, 2, 4 … 64 equal parts until the table is
+/// within 1e-6 of the stroke and 1 % of the peak jerk, or has `max_points`. A polynomial of degree 5 takes position,
+/// velocity and acceleration at its ends, one of degree 7 the jerk, too: it is used between points where the jerk does
+/// not jump. A piece of degree 5 (7) at most is itself, where both hold. `septic` false: degree 5 alone.
 ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic = true);
 
 }  // namespace bahnwerk::cam

@@ -90,10 +90,11 @@ class Solver {
     complementarity_ = sum / total_;
   }
 
-  /// One primal-dual step; true when it was the last one that matters. With the room s of a site and its multiplier λ
-  /// the spline is stationary for Σ 2 λ r, and λ s = μ g is what is aimed at: linearised, Δλ = (μ g + 2 λ r·Δf)/s − λ.
-  /// What is left for the control points descends along the logarithmic barrier, with λ in place of μ g/s in its
-  /// Hessian: that of the logarithm itself is far too stiff next to the tube's wall, where one site would hold up all.
+  /// Takes one primal-dual step; returns true when it was the last one that matters. With the room s of a site and its
+  /// multiplier λ the spline is stationary for Σ 2 λ r, and λ s = μ g is what is aimed at: linearised, Δλ = (μ g + 2 λ
+  /// r·Δf)/s − λ. What is left for the control points descends along the logarithmic barrier, with λ in place of μ g/s
+  /// in its Hessian: that of the logarithm itself is far too stiff next to the tube's wall, where one site would hold
+  /// up all.
   bool step_barrier() {
     const double part = taken_ > far ? after_far : taken_ > near ? between : after_near;
     const double mu = std::max(final_mu, part * complementarity_);

@@ -43,7 +43,7 @@ struct TubeSpline {
   std::vector<double> knots;
   std::vector<Vec> points;  ///< degree 5
   bool inside = false;      ///< whether |f(tᵢ) − pᵢ| < rᵢ at every site
-  std::size_t worst = 0;    ///< otherwise the site with the largest violation
+  std::size_t worst = 0;    ///< site with the largest violation, if not inside
   std::size_t steps = 0;    ///< Newton steps taken
 
   /// Returns f and its derivatives in break interval `span`.

@@ -22,7 +22,7 @@ constexpr double site_share = 0.96;  // part of the tolerance used at the sites;
 constexpr double site_step = 0.25;   // largest distance of sites, as a part of H
 constexpr double slowest = 0.05;     // smallest |f'|: below it the curve all but turns round in a point
 
-/// All joints of the run, and places between them so that none is further from the next than H/4.
+/// Samples all joints of the run, and places between them so that none is further from the next than H/4.
 std::vector<TubeSite> sites_of(const ElementRun& stretch, const RunRange& range, const TubeScale& scale, double radius,
                                const std::vector<double>& extra) {
   std::vector<double> places;
@@ -122,7 +122,7 @@ double bulge_of(const Element& e, double from, double to) {
 
 struct Finding {
   bool turning = false;        ///< the curve all but turns round in a point, at `places`
-  std::vector<double> places;  ///< otherwise: outside, between sites
+  std::vector<double> places;  ///< places at which the curve turns round, or else is outside between sites
 };
 
 /// Looks at the distance, everywhere, and at the speed.

@@ -117,7 +117,7 @@ void TubeScale::grade() {
 }
 
 std::vector<double> TubeScale::breaks() const {
-  // Equal steps of ∫ 2/H dt.
+  // Divides into equal steps of ∫ 2/H dt.
   std::vector<double> sum(t_.size(), 0.0);
   for (std::size_t i = 1; i < t_.size(); ++i) sum[i] = sum[i - 1] + (t_[i] - t_[i - 1]) * (1 / h_[i - 1] + 1 / h_[i]);
   const std::size_t intervals = std::max(fewest, static_cast<std::size_t>(std::ceil(sum.back())));

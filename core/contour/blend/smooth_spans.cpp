@@ -7,7 +7,7 @@ namespace bahnwerk::blending {
 SpanPolynomials::SpanPolynomials(const TubeSpline& spline) {
   const std::size_t count = spline.points.size() - spline_degree;
   const auto end_of = [&](std::size_t k) { return spline.knots[spline_degree + k]; };
-  // Relative to a control point nearby, so that large coordinates cost no digits.
+  // Control points are relative to one nearby, so that large coordinates cost no digits.
   const auto jet = [&](std::size_t span, double t, Vec base) {
     const BasisRow row = second_derivative_basis_at(spline.knots, span, t);
     Jet f;

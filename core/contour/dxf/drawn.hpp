@@ -60,7 +60,7 @@ double extent(const Drawn& curve);
 Vec point_at(const Drawn& curve, double share);
 /// Returns an upper bound on the difference of the highest and lowest z.
 double rise(const Drawn& curve);
-/// Whether all coordinates are finite and within 1e9 (mm).
+/// Returns whether all coordinates are finite and within 1e9 (mm).
 bool within_range(const Drawn& curve);
 
 Drawn reversed(Drawn curve);

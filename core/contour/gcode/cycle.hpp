@@ -25,7 +25,7 @@ struct Cycle {
   std::optional<double> peck, dwell;  ///< mm, s
   std::optional<double> clearance;    ///< P of G73 and G83, mm: height above the last depth at which the feed begins
   bool back_to_start = true;          ///< G98: retract to the level at which the series began, if that is above R
-  std::optional<double> start_level;  ///< along the depth axis, mm, of the active series
+  std::optional<double> start_level;  ///< level along the depth axis, mm, of the active series
 };
 
 /// mm in the coordinates of the contour.

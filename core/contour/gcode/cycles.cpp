@@ -10,7 +10,7 @@ namespace {
 
 constexpr double chip_break = 0.254;     // mm: by which G73 draws back, and above the bottom where G83 feeds again
 constexpr double max_repeats = 100'000;  // L
-constexpr double max_pecks = 100'000;    // most pecks of one hole
+constexpr double max_pecks = 100'000;    // largest number of pecks of one hole
 
 CycleAxes axes_of(Plane plane) {
   if (plane == Plane::xy) return {0, 1, 2};

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double inch = 25.4;  // mm
 
-/// Whether the word is incompatible with cutter radius compensation, which is one move late.
+/// Returns whether the word is incompatible with cutter radius compensation, which is one move late.
 bool unfit_for_compensation(int tenfold) {
   switch (meaning(tenfold).action) {
     case Action::plane_zx:

@@ -23,7 +23,7 @@ inline constexpr int key_dwell = 40, key_reference = 280, key_m = 100'000, key_s
                      key_look_ahead = 200'010, key_text_end = 200'011, key_main_end = 200'012, key_initial = 200'013,
                      key_peck = 200'014;
 
-/// What a line requests of the order of execution: M98, M99.
+/// Request of a line to the order of execution: M98, M99.
 struct Request {
   int program = -1;
   std::size_t repeats = 1;
@@ -62,7 +62,7 @@ class Interpreter final : public SystemParameters {
   /// Receives the first line behind the end that is not empty.
   void rest(const Line& line);
 
-  /// Whether the contour stays at one height other than 0; it is then read again as a flat one.
+  /// Returns whether the contour stays at one height other than 0; it is then read again as a flat one.
   bool lifted() const { return height() != 0; }
   /// Returns the height of a contour that stays at one, mm; otherwise 0.
   double height() const { return mover_.climbs() ? 0 : mover_.position().z; }
@@ -99,7 +99,7 @@ class Interpreter final : public SystemParameters {
   void mode_words(const Line& line);
   Modes modes() const;
   void restore(const Modes& modes);
-  double motion_number() const;  // system_values.cpp
+  double motion_number() const;  // returns the number of the active motion (system_values.cpp)
 
   // moves.cpp: the motion of a line
   void move(const Line& line);

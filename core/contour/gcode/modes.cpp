@@ -35,7 +35,7 @@ void Interpreter::restore(const Modes& modes) {
   use_plane(modes.plane);
   absolute_ = modes.absolute;
   absolute_centres_ = modes.absolute_centres;
-  if (modes.fed || modes.inverse_time != inverse_time_) {  // otherwise there is no feed to restore
+  if (modes.fed || modes.inverse_time != inverse_time_) {  // a program without feed has none to restore
     feed_ = modes.feed;
     fed_ = modes.fed;
     feed_lost_ = modes.feed_lost || (inverse_time_ && !modes.fed);
@@ -47,7 +47,7 @@ void Interpreter::restore(const Modes& modes) {
   speed_ = modes.speed;
 }
 
-/// Before anything else of the line.
+/// Takes the words that come before anything else of the line.
 void Interpreter::mode_words(const Line& line) {
   for (std::size_t i = 0; i < line.m_count; ++i) {
     const int m = line.m[i];

@@ -124,7 +124,8 @@ void Mover::arc(Vec to, Vec centre, ArcMove how) {
   const double last = full ? 0 : swept(from, to, centre, n, how.counter_clockwise);
   const double pitch = circles > 0 ? rise * (turn / (static_cast<double>(circles) * turn + last)) : 0;
   for (std::size_t i = 0; i < circles; ++i) {
-    // Back to where the contour really stands, a rounding beside the program: a circle has to close.
+    // The last circle goes back to where the contour really stands, a rounding beside the program: a circle has to
+    // close.
     const bool exact = full && i + 1 == circles;
     const double climb = exact ? dot(placed(to) - builder_.position(), n) : pitch;
     builder_.arc(builder_.position() + climb * n, placed(centre), how.counter_clockwise, n, how.tolerance);

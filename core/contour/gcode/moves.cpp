@@ -10,7 +10,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double largest = 1e9;  // mm
-constexpr int max_turns = 1000;  // most turns of one helix
+constexpr int max_turns = 1000;  // largest number of turns of one helix
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void Interpreter::move(const Line& line) {
   spline(line);
 }
 
-/// Mode and feed of a move that is no G0, of so many mm; false where it has none.
+/// Sets mode and feed of a move that is no G0, of so many mm; returns false if it has none.
 bool Interpreter::feeds(const Line& line, double length) {
   if (!fed_ && inverse_time_) {
     fault("a move in inverse time (G93) needs its own F");
@@ -140,8 +140,8 @@ void Interpreter::arc(const Line& line) {
 /// Returns the allowed difference of radii of any size, mm: coordinates truncated after their fourth decimal.
 double Interpreter::rounding() const { return unit_ == 1 ? 0.01 : 0.0005 * unit_; }
 
-/// Whether the radii at both ends agree, as LinuxCNC demands: to 0.1 % of the radius, 0.5 mm or 0.05 in at most. `how`
-/// gets the tolerance.
+/// Returns whether the radii at both ends agree, as LinuxCNC demands: to 0.1 % of the radius, 0.5 mm or 0.05 in at
+/// most. `how` gets the tolerance.
 bool Interpreter::agrees(const Line& line, Vec to, Vec about, ArcMove& how) {
   constexpr double relative = 1e-3, wildly = 0.2;
   const double most = unit_ == 1 ? 0.5 : 0.05 * unit_;
@@ -157,7 +157,8 @@ bool Interpreter::agrees(const Line& line, Vec to, Vec about, ArcMove& how) {
   return false;
 }
 
-/// Whether the radii would agree if the centre were absolute instead of relative, or relative instead of absolute.
+/// Returns whether the radii would agree if the centre were absolute instead of relative, or relative instead of
+/// absolute.
 bool Interpreter::agrees_otherwise(const Line& line, Vec to) const {
   const std::size_t normal = plane_ == Plane::xy ? 2 : plane_ == Plane::zx ? 1 : 0;
   const Vec from = mover_.position(), zero = absolute_centres_ ? from : offsets_.origin();

@@ -57,11 +57,11 @@ void Interpreter::settings(const Line& line) {
   }
 }
 
-/// G92: the head stands at these coordinates.
+/// Executes G92: the head stands at these coordinates.
 void Interpreter::set_position(const Line& line) {
   if (!takes(line, axes)) {
     if (!line.any(letters("EABCUVW"))) fault("G92 needs the coordinates of where the head stands");
-    return;  // an extruder's
+    return;  // the line names an extruder alone
   }
   const Vec at = mover_.position();
   if (mover_.started()) {
@@ -100,7 +100,7 @@ void Interpreter::set_data(const Line& line) {
   const std::size_t index = number == 0 ? offsets_.active() : static_cast<std::size_t>(number) - 1;
   Vec work = offsets_.work(index);
   const Vec free = mover_.position() - offsets_.local();
-  // Before the first move it states the head's position, not the zero.
+  // The head's position counts here before the first move, not the zero.
   if (form == 20 && !mover_.started()) return stand_at(line, work + offsets_.local());
   for (std::size_t k = 0; k < 3; ++k)
     if (line.has(axis_letters[k]))
@@ -125,7 +125,7 @@ void Interpreter::reference_point(const Line& line, const std::optional<Vec>& po
   rapid_to(to);
 }
 
-/// G53: a straight move in the coordinates of the machine.
+/// Executes G53: a straight move in the coordinates of the machine.
 void Interpreter::machine_coordinates(const Line& line) {
   if (!takes(line, axes)) return;
   const std::uint32_t list = axes_of(line);

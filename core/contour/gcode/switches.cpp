@@ -26,7 +26,7 @@ void Interpreter::dwell_time(const Line& line) {
   if (!line.has('P') && line.any(letters("YZ"))) fault("a dwell takes no coordinates: give its time with P");
 }
 
-/// Behind the line's switches and before its motion.
+/// Dwells after the line's switches and before its motion.
 void Interpreter::dwell(const Line& line) {
   if (!dwell_) return;
   if (!(*dwell_ >= 0 && *dwell_ <= longest_rest)) return fault("a dwell (G4) lasts between 0 and 86400 s");
@@ -107,7 +107,7 @@ void Interpreter::m_word(const Line& line, int m) {
     case 70:
     case 71:
     case 72:
-      return;  // mode_words
+      return;  // mode_words() has read the word
     case 73:
       return line.any(letters("PQRS")) ? printer_word(line, letters("PQRST")) : void();
     case 62:
@@ -134,7 +134,7 @@ void Interpreter::m_word(const Line& line, int m) {
   }
 }
 
-/// Its words are its own (Lines), whatever they are.
+/// The words of this code are its own (Lines), whatever they are.
 void Interpreter::foreign_m(const Line& line, int m) {
   unknown_m_ = true;
   if (printer_m(whole_m(m))) {
@@ -168,7 +168,7 @@ void Interpreter::call(const Line& line) {
   request_.repeats = static_cast<std::size_t>(repeats);
 }
 
-/// Its other letters are its own: M201 X500 moves nothing.
+/// The other letters of this code are its own: M201 X500 moves nothing.
 void Interpreter::printer_word(const Line& line, std::uint32_t words) {
   takes(line, words);
   note(key_printer, line, printer_text);

@@ -17,18 +17,19 @@ class EndExpansion {
   /// `curve` has a vanishing tangent at exactly one end.
   explicit EndExpansion(const Rational& curve);
 
+  /// Returns whether u lies in the near zone.
   bool covers(double u) const { return (u - end_) * inward_ <= zone_; }
   /// Writes d1, d2, d3 of `point` by arc length at u; at the end itself the one-sided limits, or 0 for a derivative
   /// without one.
   void derivatives(double u, Jet& point) const;
-  /// Whether the curvature grows without bound towards the end.
+  /// Returns whether the curvature grows without bound towards the end.
   bool unbounded() const { return curvature_power_ < 0; }
 
  private:
   using Rows = std::vector<Vec>;
   double end_, inward_, inverse_reach_, zone_;
   int curvature_power_, rate_power_;
-  Rows tangent_, binormal_, rate_;  ///< W, C and G (see the .cpp)
+  Rows tangent_, binormal_, rate_;  ///< W, C, and the numerator of db/ds
   std::vector<double> weight_;
 };
 

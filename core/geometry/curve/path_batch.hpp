@@ -21,10 +21,10 @@ struct PathBatch {
     void set(std::size_t i, double value) { pair[i / 2][i % 2] = value; }
   };
   std::size_t count = 0;          ///< number of points, 1 … 16
-  Row u;                          ///< in: parameters, ascending
-  Row s;                          ///< out: path length from the beginning of the segment, mm
-  std::array<Row, 8> d1, d2, d3;  ///< out: derivatives of x, y, z, or of as many axes
-  bool planar = true;             ///< out: z is constant, its rows are not written
+  Row u;                          ///< input: parameters, ascending
+  Row s;                          ///< output: path length from the beginning of the segment, mm
+  std::array<Row, 8> d1, d2, d3;  ///< output: derivatives of x, y, z, or of as many axes
+  bool planar = true;             ///< output: whether z is constant; its rows are then not written
   std::size_t used_pairs() const { return (count + 1) / 2; }
   /// Fills the last pair of an odd count.
   void close() {

@@ -128,7 +128,7 @@ bool Rational::derivatives(PathBatch& batch) const {
     }
     const auto w = taylor<4>(c_.data() + 3, 4, degree_, x);
     const PointPair inverse = PointPair{1, 1} / w[0];
-    for (std::size_t axis = 0; axis < axes; ++axis) {  // as in at()
+    for (std::size_t axis = 0; axis < axes; ++axis) {  // the sum is formed as in at()
       auto a = taylor<4>(c_.data() + axis, stride_, degree_, x);
       a[0] = a[0] * inverse;
       a[1] = (a[1] - w[1] * a[0]) * inverse;

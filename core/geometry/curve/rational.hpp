@@ -57,7 +57,8 @@ class Rational final : public Curve {
   double extent() const { return extent_; }
   /// Returns the error of a coefficient that rounding of the input coordinates may cause, mm.
   double noise() const { return noise_; }
-  /// Whether the whole piece lies on one straight line, to 1e-12 of its extent (or the rounding of the coordinates).
+  /// Returns whether the whole piece lies on one straight line, to 1e-12 of its extent (or the rounding of the
+  /// coordinates).
   bool collinear() const;
   /// Returns the projection of a collinear piece onto its line, so that rounding does not hide where it reverses.
   Rational straightened() const;

@@ -59,7 +59,7 @@ class Segment {
   /// dense where the curve is difficult.
   std::vector<double> panel_parameters() const;
 
-  /// Whether the parametric tangent vanishes at that end and the curvature grows without bound (or beyond
+  /// Returns whether the parametric tangent vanishes at that end and the curvature grows without bound (or beyond
   /// `sharpest_curvature` per length of the segment): the speed has to be 0 there. at_parameter() returns d2 = d3 = 0
   /// at the end itself.
   bool cusp_begin() const { return cusp_begin_; }

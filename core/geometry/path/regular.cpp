@@ -43,7 +43,7 @@ struct Interval {
 /// of t that then counts as one place.
 constexpr double needle_speed = 3e-4, needle_width = 1e-4;
 
-/// Whether |v| only rises or only falls for |t| ≤ 1: v·v′ keeps its sign.
+/// Returns whether |v| only rises or only falls for |t| ≤ 1: v·v′ keeps its sign.
 bool monotonous(const VectorPolynomial& v) {
   double middle = 0, rest = 0;
   const std::size_t n = length_of(v);
@@ -129,7 +129,7 @@ std::size_t order_at(const Rational& expanded, double tolerance) {
   while (order + 1 < x.size() && norm(Vec{x[order + 1], y[order + 1], z.empty() ? 0.0 : z[order + 1]}) <= tolerance) {
     ++order;
   }
-  return order + 1 < x.size() ? order : 0;  // all are negligible: the curve is a point
+  return order + 1 < x.size() ? order : 0;  // if all are negligible, the curve is a point
 }
 
 std::vector<Zero> inner_zeros(const Rational& curve, const VectorPolynomial& v, double tolerance) {

@@ -24,7 +24,8 @@ std::uint64_t with(std::uint64_t hash, Vec v) {
 std::uint64_t with(std::uint64_t hash, double length) {
   int exponent = 0;
   auto mantissa = std::llround(std::frexp(length, &exponent) * steps);
-  if (mantissa == static_cast<long long>(steps)) mantissa /= 2, ++exponent;  // from below a power of two
+  if (mantissa == static_cast<long long>(steps))
+    mantissa /= 2, ++exponent;  // the mantissa was rounded up to a power of two
   return mixed(mixed(hash, static_cast<std::uint64_t>(mantissa)), static_cast<std::uint64_t>(exponent));
 }
 

@@ -29,7 +29,7 @@ double fraction_on(const Edge& edge, Point p) {
   }
   const double f = arc_fraction(edge, p - edge.centre);
   if (f <= 1 + slack) return std::min(f, 1.0);
-  return whole_turn / std::abs(edge.turn) - f <= slack ? 0.0 : -1;  // just before the begin
+  return whole_turn / std::abs(edge.turn) - f <= slack ? 0.0 : -1;  // the place is just before the begin
 }
 
 /// Points common to the lines and circles that carry two edges.

@@ -7,7 +7,7 @@ EdgeTree::EdgeTree(std::span<const Edge> edges) : count_(edges.size()) {
   leaves_ = 1;
   while (leaves_ * block < count_) leaves_ *= 2;
   const double far = 1e300;
-  boxes_.assign(2 * leaves_, {{far, far}, {far, far}});  // beyond reach: a leaf without edges
+  boxes_.assign(2 * leaves_, {{far, far}, {far, far}});  // an empty box, beyond reach, is a leaf without edges
   const auto join = [&](Box& box, const Box& other) {
     if (box.low.x == far) {
       box = other;

@@ -36,12 +36,12 @@ class Region {
   double length() const;  ///< length of the boundary, mm
   const Box& box() const { return box_; }
   std::span<const Edge> edges() const { return edges_; }
-  /// Whether the boundary turns to the right (more than 1e-9) where edge `i` begins: a corner that projects into the
-  /// region.
+  /// Returns whether the boundary turns to the right (more than 1e-9) where edge `i` begins: a corner that projects
+  /// into the region.
   bool juts_at(std::size_t i) const { return corner_[i] < 0; }
   bool recedes_at(std::size_t i) const { return corner_[i] > 0; }
   std::size_t before(std::size_t i) const { return before_[i]; }
-  /// Whether edge `i` is the first of its loop.
+  /// Returns whether edge `i` is the first of its loop.
   bool begins_loop(std::size_t i) const { return before_[i] >= i; }
 
   /// Returns every edge moved by `depth` into the region, with arcs about the corners at which that opens gaps.

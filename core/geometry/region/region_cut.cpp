@@ -38,8 +38,8 @@ std::vector<Edge> split(const std::vector<Edge>& edges, const std::vector<std::v
   return parts;
 }
 
-/// Whether `end`, where another edge has the direction `along`, lies on `edge` and that edge has the opposite direction
-/// there.
+/// Returns whether `end`, where another edge has the direction `along`, lies on `edge` and that edge has the opposite
+/// direction there.
 bool runs_back(const Edge& edge, Point end, Point along, double& at) {
   at = edge.nearest(end);
   return distance(edge.at(at), end) <= together && dot(edge.direction(at), along) < -1 + 1e-9;
@@ -134,7 +134,7 @@ std::vector<Edge> joined(std::vector<Edge> parts, Progress* progress) {
     }
     double doubled = 0;
     const Point origin =
-        loop.front().from;  // relative to a point of the loop: far from (0, 0) rounding would make an area
+        loop.front().from;  // origin at a point of the loop: far from (0, 0) rounding would make an area
     for (Edge edge : loop) {
       edge.from -= origin;
       edge.to -= origin;

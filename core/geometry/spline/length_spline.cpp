@@ -22,7 +22,7 @@ struct Simpson {
     parameters.push_back(v);
     values.push_back(values.back() + length);
   }
-  /// [a, b] with the speeds at both ends and in the middle.
+  /// Integrates over [a, b] with the speeds at both ends and in the middle.
   void run(double a, double b, double fa, double fc, double fb, double tolerance, int depth) {
     const double c = (a + b) / 2, h = b - a;
     const double fl = speed((a + c) / 2), fr = speed((c + b) / 2);

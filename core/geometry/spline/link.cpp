@@ -21,7 +21,7 @@ void check(std::size_t continuity, const LinkShape& shape) {
     throw std::invalid_argument("a positive weight per control point");
 }
 
-/// One end of a link. At the last one everything counts from there: control points backwards, derivatives by 1 − v.
+/// One end of a link. At the last end everything counts from there: control points backwards, derivatives by 1 − v.
 struct End {
   std::size_t continuity;
   bool last;

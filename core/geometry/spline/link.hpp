@@ -38,8 +38,9 @@ BezierPiece link(std::size_t continuity, const LinkEnds& ends, const LinkShape& 
 std::vector<double> inherited_weights(std::size_t continuity, const std::array<double, spline_orders>& before,
                                       const std::array<double, spline_orders>& after, const LinkShape& shape);
 
-/// Adjoint of link(): converts the gradient of a function by w·(x, y, z) of every control point to the gradient by β₁ …
-/// β_k before, then after, with constant weights. O(k²). Throws what link() throws, and for counts that do not match.
+/// Computes the adjoint of link(): converts the gradient of a function by w·(x, y, z) of every control point to the
+/// gradient by β₁ … β_k before, then after, with constant weights. O(k²). Throws what link() throws, and for counts
+/// that do not match.
 void link_gradient(std::size_t continuity, const LinkEnds& ends, const LinkShape& shape, std::span<const Vec> by_points,
                    std::span<double> gradient);
 

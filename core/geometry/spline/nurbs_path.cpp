@@ -13,7 +13,7 @@ HomogeneousPoint mixed(const HomogeneousPoint& a, const HomogeneousPoint& b, dou
   return r;
 }
 
-/// One more knot u, which lies in [knots[k], knots[k + 1]).
+/// Inserts one more knot u, which lies in [knots[k], knots[k + 1]).
 void insert(NurbsPath& path, std::size_t k, double u) {
   const std::size_t p = path.degree;
   const std::vector<HomogeneousPoint> old = path.points;

@@ -16,6 +16,7 @@ class LawWriter {
   LawWriter(TimeLaw& law, const Path& path, double slow)
       : law_(law), path_(path), slow_(slow), v_(1 / slow), a_(v_ * v_), j_(a_ * v_) {}
 
+  /// Writes the law of a cell from s to s_end, mm.
   void cell(const CellLaw& cell, std::size_t segment, double s, double s_end) {
     const double from = path_[segment].s0();
     LawPiece& p = law_.next();

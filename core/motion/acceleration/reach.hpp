@@ -16,7 +16,8 @@
 
 namespace bahnwerk {
 
-/// At most M pairs of half-planes |p x + q y| ≤ c between the variables x, y of a link. The origin satisfies all.
+/// A polygon: at most M pairs of half-planes |p x + q y| ≤ c between the variables x, y of a link. The origin satisfies
+/// all.
 template <int M>
 struct LinkRows {
   std::array<double, M> p, q, c;
@@ -54,7 +55,7 @@ double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
     double upper = cap_x, upper_slope = 0, upper_margin = 0, lower = 0, lower_slope = 0, lower_margin = 0, most = y;
     for (std::size_t i = 0; i < n; ++i) {
       const double p = std::abs(rows.p[i]);
-      if (!(p * cap_x > 1e-9 * rows.c[i])) {  // practically a limit on y alone
+      if (!(p * cap_x > 1e-9 * rows.c[i])) {  // the row is practically a limit on y alone
         most = std::min(most, (rows.c[i] - (p > 0 ? p * cap_x : 0)) / std::abs(rows.q[i]));
         continue;
       }
@@ -99,7 +100,7 @@ double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
     if (!(next < y * (1 - 1e-15))) return upper;
     y = next;
   }
-  return 0;  // not reached: each step visits another vertex
+  return 0;  // this is not reached: each step visits another vertex
 }
 
 }  // namespace bahnwerk

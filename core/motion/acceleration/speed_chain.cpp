@@ -21,7 +21,7 @@ inline typename SpeedChain<N>::Caps SpeedChain<N>::caps(std::size_t c) const {
   double left = std::min(max_, feed * feed), right = left, middle = left;
   for (std::size_t k = 0; k < N; ++k) {
     const double V2 = limit_.velocity2[k], tl = l.d1[k] * l.d1[k], tr = r.d1[k] * r.d1[k];
-    if (V2 >= middle * std::max(tl, tr)) continue;  // nowhere near
+    if (V2 >= middle * std::max(tl, tr)) continue;  // the velocity limit is far above the cap
     const double vl = V2 / tl, vr = V2 / tr;
     left = std::min(left, vl);
     right = std::min(right, vr);
@@ -187,7 +187,7 @@ template <int N>
 void SpeedChain<N>::update(const UnsetVector<double>& share, CellFlags& dirty, ProgressScope& progress) {
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-14 * std::abs(b); };
   const std::size_t n = grid_.cells.size();
-  bool moved = false;  // did the right neighbour change?
+  bool moved = false;  // whether the right neighbour has changed
   Known known;
   for (std::size_t c = n; (c = moved ? (c > 0 ? c - 1 : no_flag) : last_set(dirty, c)) != no_flag;) {
     progress.work();

@@ -41,14 +41,14 @@ class SpeedChain {
   /// Returns the first cell from the right whose law does not depend on the rest at the end of the grid, so that the
   /// law before it is final. Returns 0 if there is none.
   std::size_t unaffected(const UnsetVector<double>& share) const;
-  /// Whether the law at cell c is slightly below its controllable set, so that its speed there depends on earlier cells
-  /// only.
+  /// Returns whether the law at cell c is slightly below its controllable set, so that its speed there depends on
+  /// earlier cells only.
   bool slack(std::size_t c) const { return speed_[c].node < speed_[c].node_stop * (1 - 1e-4); }
-  /// Whether cell c is driven at constant speed.
+  /// Returns whether cell c is driven at constant speed.
   bool steady(std::size_t c) const {
     return speed_[c].node == speed_[c].middle && speed_[c].node == speed_[c + 1].node;
   }
-  /// Whether the entry speed is controllable.
+  /// Returns whether the entry speed is controllable.
   bool enters() const { return entry_ <= speed_[0].node_stop * (1 + 1e-12); }
   /// Divides the cells in step with the grid. An update has to follow in which every part of a divided cell is dirty.
   void divided(const LargeVector<std::uint8_t>& parts, ProgressScope& progress);

@@ -59,7 +59,7 @@ struct PlainStation {
     const Lanes<N> inverse = 1 / at.d1;
     tilt = at.d2 * inverse;
     reach = limit.acceleration * magnitude(inverse);
-    if constexpr (N > 2)  // along a curve two axes move
+    if constexpr (N > 2)  // a curve moves two axes at least
       for (std::size_t k = 0; k < N; ++k)
         if (at.d1[k] == 0 && at.d2[k] == 0) tilt[k] = 0;
   }

@@ -114,7 +114,7 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
 
 AxisArray largest_rates(const AxisPath& path, ProgressScope* progress) {
   constexpr double rounding = 1e-12,
-                   surely = 1e-3;  // relative rate that is rounding; rate that is not, unit/mm
+                   surely = 1e-3;  // largest relative rate that is rounding; smallest rate that is not, unit/mm
   constexpr std::array inner{0.1178, 0.3451, 0.6373,
                              0.8682};  // places inside a panel, as an axis may rest at both ends
   AxisArray most{}, between{}, possible{};

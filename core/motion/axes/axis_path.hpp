@@ -28,7 +28,7 @@ class AxisPath {
   AxisPath& operator=(const AxisPath&) = delete;
 
   std::size_t axes() const { return axes_; }  ///< 1 … max_axes
-  /// Whether the axes are the coordinates of the tool: |q′| = 1, q″ ⟂ q′.
+  /// Returns whether the axes are the coordinates of the tool: |q′| = 1, q″ ⟂ q′.
   bool cartesian() const { return cartesian_; }
 
   std::size_t size() const { return tool_.size(); }
@@ -36,7 +36,7 @@ class AxisPath {
   double length() const { return tool_.length(); }
   const Path& tool() const { return tool_; }
 
-  /// Whether q is linear in s over the whole segment: a single value of q′ describes it.
+  /// Returns whether q is linear in s over the whole segment: a single value of q′ describes it.
   virtual bool linear(std::size_t segment) const = 0;
   /// Returns the axes at a parameter of a segment; derivatives by s, one-sided at its ends. Throws UnreachablePose.
   virtual AxisJet at_parameter(std::size_t segment, double u) const = 0;

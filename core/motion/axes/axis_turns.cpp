@@ -23,7 +23,7 @@ AxisTurns::AxisTurns(const KinematicAxisPath& path) {
   axes_ = path.axes();
   AxisArray now{}, lowest{}, highest{};
   bool begun = false;
-  const auto follow = [&](std::size_t segment, double u) {  // now, at a place less than half a period away
+  const auto follow = [&](std::size_t segment, double u) {  // continues `now` to a place less than half a period away
     AxisArray q = path.raw_at_parameter(segment, u).value;
     for (std::size_t k = 0; k < axes_; ++k) {
       if (begun && period_[k] > 0) q[k] += period_[k] * whole((now[k] - q[k]) / period_[k]);

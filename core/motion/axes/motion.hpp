@@ -20,7 +20,7 @@ class Motion {
  public:
   virtual ~Motion() = default;
   virtual std::size_t axes() const = 0;               ///< 1 … max_axes
-  virtual std::size_t pieces() const = 0;             ///< at least 1
+  virtual std::size_t pieces() const = 0;             ///< number of pieces, at least 1
   virtual double begin(std::size_t piece) const = 0;  ///< time at which a piece begins, s; 0 for the first, ascending
   virtual double duration() const = 0;                ///< s; the last piece ends there
   /// Returns the state at t inside piece `piece`; at its ends the one-sided limits.
@@ -28,7 +28,7 @@ class Motion {
   /// Returns the state in which the motion ends: the last piece's at its end, unless the motion knows it without
   /// rounding.
   virtual MotionState final_state() const { return in_piece(pieces() - 1, duration()); }
-  /// Whether `MotionState::snap` is computed; otherwise it is 0.
+  /// Returns whether `MotionState::snap` is computed; otherwise it is 0.
   virtual bool has_snap() const { return false; }
   /// Writes the position of an axis in a piece as a polynomial of t − begin(piece), lowest coefficient first, if it is
   /// one; then its peaks can be enclosed. Returns false, and leaves `out` unchanged, if it is none.

@@ -29,7 +29,8 @@ std::size_t about(const Polynomial& p, double at, std::array<double, most_terms>
 }
 
 bool still(const Curve& angles, double u0, double u1) {
-  constexpr int samples = 2 * static_cast<int>(most_terms);  // more than a polynomial of the degree has zeros
+  constexpr int samples =
+      2 * static_cast<int>(most_terms);  // number of samples, more than a polynomial of the degree has zeros
   for (int i = 0; i <= samples; ++i) {
     const Vec d1 = angles.at(u0 + (u1 - u0) * i / samples).d1;
     if (d1.x != 0 || d1.y != 0) return false;
@@ -79,7 +80,7 @@ ToolJet Orientation::tool(const Segment& segment, std::size_t index, double u) c
   // The speed of lines and arcs is constant, without the rounding of a norm.
   const double speed = curve.kind() == CurveKind::rational ? norm(h.d1) : curve.speed(u);
   double u1 = 1 / speed, u2 = 0, u3 = 0;
-  if (curve.kind() == CurveKind::rational) {  // on lines and arcs s is linear in u
+  if (curve.kind() == CurveKind::rational) {  // s is linear in u on lines and arcs
     const double grows = dot(h.d1, h.d2) / speed, bends = (dot(h.d2, h.d2) + dot(h.d1, h.d3) - grows * grows) / speed,
                  cube = u1 * u1 * u1;
     u2 = -grows * cube;

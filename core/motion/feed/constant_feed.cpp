@@ -13,7 +13,7 @@ constexpr double resolution = 1e-9;   // resolution of a feed, relative
 constexpr double least_feed = 1e-6;   // mm/s: what is slower is no motion
 constexpr double exactly = 1 + 1e-9;  // a requested feed may equal the largest one but for rounding
 
-/// Both changes of a motion at one feed, if they fit.
+/// Finds both changes of a motion at one feed; returns false if they do not fit.
 bool fits(const FeedChanges& changes, double begin, double end, double v, FeedHold& hold) {
   const auto rise = changes.find(begin, 0, v, true, end - begin);
   if (!rise) return false;

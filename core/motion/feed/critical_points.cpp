@@ -66,7 +66,7 @@ class Section {
     }
   }
 
-  /// Quicker than to go from one hold to the other directly.
+  /// Returns whether the hold is quicker than going from one hold to the other directly.
   bool worthwhile(const FeedHold& left, const FeedHold& right, const FeedHold& hold, const FeedChange& rise,
                   const FeedChange& fall) const {
     const auto time = [&](double from, double to, double v) { return to > from ? (to - from) / v : 0; };
@@ -110,7 +110,7 @@ class Section {
     while (end < cells_.size() && cells_[end].s0 < right.s0) ++end;
     for (std::size_t i = begin; i < end; ++i) most = std::max(most, cells_[i].feed);
     std::optional<Hill> best = lowest > 0 ? base(left, right) : std::nullopt;
-    if (best && best->top.s1 - best->top.s0 < 1e-9) return best;  // full already
+    if (best && best->top.s1 - best->top.s0 < 1e-9) return best;  // the hill is full already
     const auto offer = [&](double top) {
       if (!(top > lowest)) return;
       const auto found = hill(left, right, top);

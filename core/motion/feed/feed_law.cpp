@@ -10,7 +10,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double nothing = 1e-9;  // part of the peak acceleration that counts as none
 
-/// A rise backwards in time.
+/// Returns a rise backwards in time.
 RisePiece mirrored(const RisePiece& p) {
   const double T = p.duration;
   return {T, p.v + T * (p.a + T * (p.j / 2 + T * p.snap / 6)), -(p.a + T * (p.j + T * p.snap / 2)), p.j + T * p.snap,
@@ -28,7 +28,7 @@ void FeedLawWriter::hold(double v, double s) {
       piece.duration = (end - s_) / v, piece.s = s_, piece.s_end = end, piece.v = v, piece.segment = segment_;
       s_ = end;
     } else {
-      if (!law_.pieces().empty() && s == end) {  // shorter than s resolves: the piece before takes it
+      if (!law_.pieces().empty() && s == end) {  // it is shorter than s resolves: the piece before takes it
         break;
       }
       s_ = std::max(s_, end);
@@ -49,7 +49,8 @@ void FeedLawWriter::change(const FeedChange& change, double s_end) {
     if (last) {
       end.v = change.forwards ? change.high() : change.low;
       end.a = p.a + p.duration * (p.j + p.duration * p.snap / 2);
-      if (std::abs(end.a) < nothing * change.rise.acceleration) end.a = 0;  // but of a profile whose acceleration jumps
+      if (std::abs(end.a) < nothing * change.rise.acceleration)
+        end.a = 0;  // it is rounding, unless the profile's acceleration jumps
     } else {
       const RisePiece next = change.forwards ? pieces[i + 1] : mirrored(pieces[pieces.size() - 2 - i]);
       end.v = change.low + next.v, end.a = next.a;
@@ -80,7 +81,7 @@ void FeedLawWriter::write(const LawPiece& whole, const LawState& goal) {
   LawPiece& piece = law_.next();
   piece.duration = whole.duration - tau, piece.s = s_, piece.segment = segment_;
   piece.v = x.v, piece.a = x.a, piece.j = x.j, piece.snap = whole.snap;
-  if (tau > 0) {  // from its end: what rounding of the whole piece left would be much for a short rest of it
+  if (tau > 0) {  // the rest is computed from its end: the rounding of the whole piece would be much for a short rest
     const double T = piece.duration;
     piece.a = goal.a - T * (piece.j + T * piece.snap / 2);
     piece.v = goal.v - T * (piece.a + T * (piece.j / 2 + T * piece.snap / 6));

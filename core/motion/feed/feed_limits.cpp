@@ -13,14 +13,14 @@ constexpr double exact = 1 + 1e-12;  // factor for the rounding of a limit that 
 
 double ratio(double limit, double rate) { return std::abs(rate) > 0 ? limit / std::abs(rate) : unlimited; }
 
-/// Up to which f in [0, 1] |c0 + c1 f + c2 f²| ≤ most; 0 if not even there.
+/// Returns the largest f in [0, 1] up to which |c0 + c1 f + c2 f²| ≤ most; 0 if there is none.
 double first_exit(double c0, double c1, double c2, double most) {
   if (!(std::abs(c0) <= most)) return 0;
   double least = 1;
   for (const double border : {most, -most}) {
     const double c = c0 - border, square = c1 * c1 - 4 * c2 * c;
     if (!(square >= 0)) continue;
-    const double sum = -(c1 + std::copysign(std::sqrt(square), c1));  // without cancellation
+    const double sum = -(c1 + std::copysign(std::sqrt(square), c1));  // the sum without cancellation
     for (const double f : {sum / (2 * c2), 2 * c / sum})
       if (f >= 0 && f < least) least = f;
   }
@@ -171,7 +171,7 @@ double FeedGrid::hold_between(std::size_t i, double s0, double s1, double share)
 }
 
 void FeedGrid::limit_at_joint(std::size_t next) {
-  if (std::binary_search(sections_.begin.begin(), sections_.begin.end(), next)) return;  // passed at rest
+  if (std::binary_search(sections_.begin.begin(), sections_.begin.end(), next)) return;  // the motion is at rest there
   FeedLimit least;
   least.s = task_.path[next].s0();
   const FeedNode before = node(last(next - 1) - 1), after = node(first(next));

@@ -80,7 +80,7 @@ class FeedGrid {
   /// Returns 1 if a place is passed within `margin` of all limits at this speed, acceleration and jerk; otherwise the
   /// factor f < 1 up to which it is with acceleration f a and jerk f² j; 0 where v alone is too large.
   double share(const FeedNode& node, const FeedState& state, double margin) const;
-  /// Whether a joint may be passed in this state: from the last node of a segment to the first one of the next.
+  /// Returns whether a joint may be passed in this state: from the last node of a segment to the first one of the next.
   bool passes_joint(std::size_t next_segment, const FeedState& state) const;
 
  private:

@@ -90,7 +90,7 @@ class SplinePlanner {
       }
   }
 
-  /// All control points alike, as quick as the limits allow everywhere.
+  /// Begins with equal control points, as quick as the limits allow everywhere.
   void start() {
     for (std::size_t i = SpeedSpline::fixed; i + SpeedSpline::fixed < control_.size(); ++i) control_[i] = 1;
     double most = 0;

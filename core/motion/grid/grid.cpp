@@ -105,8 +105,8 @@ class Layer {
       return lanes;
   }
 
-  /// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k, and
-  /// |q'_k| v ≤ V_k. The second counts where a path is straight but for rounding: there curvature is noise.
+  /// Returns the largest v² where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k,
+  /// and |q'_k| v ≤ V_k. The second counts where a path is straight but for rounding: there curvature is noise.
   double curvature_cap(const Station<N>& at) const {
     Lanes<N> normal = once(at.d2);
     if (const double along = sum(once(at.d1) * at.d1); !path_.cartesian() && along > 0)
@@ -251,7 +251,7 @@ void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last
     } else {
       Layer<N>(*this, path, static_cast<std::uint32_t>(i), machine, feed[i], options).build();
     }
-    if (i == first) grade_end(path, true);  // while few cells stand behind it
+    if (i == first) grade_end(path, true);  // the first cells are graded while few cells stand behind them
   }
   grade_end(path, false);
 }
@@ -328,7 +328,7 @@ void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, 
       new_stations.insert(new_stations.end(), stations.begin() + from, stations.begin() + to);
       for (; c < end; ++c) {
         new_cells.push_back(cells[c]);
-        new_cells.back().station += moved;  // modulo 2³²: it may have become less
+        new_cells.back().station += moved;  // sum modulo 2³²: `moved` may be negative
       }
       continue;
     }

@@ -24,12 +24,12 @@ struct GridCell {
   std::uint32_t station = 0;  ///< index of the station at the left end; the right one is station + 1
   std::uint32_t segment = 0;  ///< path segment
   bool straight = false;
-  bool cusp_left = false, cusp_right = false;  ///< unbounded curvature at that end, where the speed is zero
-  bool any_way = false;                        ///< beside a needle point: path length does not resolve the turn
+  bool cusp_left = false, cusp_right = false;  ///< whether curvature is unbounded at that end, where the speed is zero
+  bool any_way = false;  ///< whether the cell lies beside a needle point: path length does not resolve the turn
   bool regular() const { return !(straight | cusp_left | cusp_right | any_way); }
 };
 
-/// What determines the width of cells.
+/// Limits of the width of cells.
 struct GridOptions {
   double angle = 0.004;  ///< largest turn of a cell, rad
   double hermite =
@@ -75,7 +75,7 @@ class Grid {
   template <class Count, class Place, class Made>
   void divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& progress);
 
-  /// Whether a station at `s` leaves long enough cells between two others of a segment of that length.
+  /// Returns whether a station at `s` leaves long enough cells between two others of a segment of that length.
   static bool resolved(double before, double s, double after, double length, double shortest = shortest_cell) {
     return s - before > shortest * length && after - s > shortest * length;
   }

@@ -84,7 +84,7 @@ bool SectionRepeats::same_segment(std::size_t a, std::size_t b, double ratio, do
   };
   AxisArray d1{}, d2{}, d3{};  // largest derivatives of each axis
   for (std::size_t k = 0; k < axes; ++k) d1[k] = largest(p.d1, k), d2[k] = largest(p.d2, k), d3[k] = largest(p.d3, k);
-  if (path.cartesian())  // all axes have one unit
+  if (path.cartesian())  // all axes of a Cartesian machine have one unit
     for (AxisArray* row : {&d1, &d2, &d3}) row->fill(*std::max_element(row->begin(), row->end()));
   const auto same = [&](const Rows& left, const Rows& right, std::size_t k, double scale) {
     for (std::size_t i = 0; i < p.count; ++i)

@@ -42,7 +42,7 @@ double for_each_section_once(const PathTask& task, const Sections& sections, Pro
                              Result& result, Plan&& plan, Repeat&& repeat) {
   ProgressScope stage_progress(progress, "planning", from, to);
   SectionRepeats repeats(task, sections, stage_progress);
-  struct Before {  // before each section, and at the end
+  struct Before {  // sums before a section, and at the end
     std::size_t pieces, cells;
     double work;
   };

@@ -12,7 +12,7 @@ namespace {
 /// A cell that lasts this part of A/J gets rows for the acceleration half-way.
 constexpr double middle_from = 0.15, near_limit = 0.8;
 
-/// Through kinematics a part that lasts so many times what parts should last is divided once more.
+/// A part that lasts so many times what parts should last is divided once more, through kinematics.
 constexpr double long_part = 2;
 
 /// A cell needs no nodes inside if the speed v is constant for this many times A/J + v/A before and behind it, and

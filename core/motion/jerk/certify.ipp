@@ -69,7 +69,7 @@ void JerkSectionPlanner<N, M>::certify(ProgressScope& progress) {
   if (!certain_) measure(true, progress);  // a model of the path is good enough to plan by, not to vouch for
   worst_ = {};
   PeakSweep sweep(std::vector<double>(3 * M, 1.0), resolved);
-  for (std::size_t k = 0; k < 3 * M; ++k) sweep.raise(k, kept, 0, 0);  // below that nothing is looked for
+  for (std::size_t k = 0; k < 3 * M; ++k) sweep.raise(k, kept, 0, 0);  // no peak below this value is searched for
   const std::size_t n = grid_.cells.size();
   for (std::size_t c = 0; c < n; ++c) {
     progress(c, n);

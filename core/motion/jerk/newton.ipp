@@ -183,7 +183,7 @@ void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Lane2&
 template <int M>
 void JerkSolver<M>::direct_nodes(std::size_t i, std::size_t& next_joint, Lane2& min_primal, Lane2& max_dual) {
   Nodes& nodes = nodes_[i];
-  Lane2 primal{}, dual{};  // in registers: a reference may be to what rows store
+  Lane2 primal{}, dual{};  // sums in registers: a reference may be to what rows store
   const Lane2 db = db_[i], da = da_[i], w = w_[i], mu = target_ * nodes.weight;
   for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].step(nodes.cap[k] * (db + nodes.slope[k] * da), mu, primal, dual);
   nodes.rows.step(db, da, mu, primal, dual);

@@ -9,7 +9,7 @@ namespace bahnwerk {
 
 namespace {
 
-/// Through kinematics a grid is divided from so many times the loss on.
+/// Loss, in multiples of the Cartesian one, from which on a grid is divided through kinematics.
 constexpr double kinematic_loss = 6;
 
 }  // namespace

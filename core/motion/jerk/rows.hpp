@@ -159,7 +159,7 @@ struct JerkEndRows {
   std::array<L, M> d1, d2, d3, share;  ///< h′/J, 3 h″/J, h‴/J
   std::array<JerkRow<L>, M> rows;
 
-  /// The value, and its gradients by b and a of the node; the gradient by j is d1.
+  /// Returns the value; by_b() and by_a() return its gradients by b and a of the node, and d1 is the gradient by j.
   L value(std::size_t k, L b, L v, L a, L j) const { return v * (d3[k] * b + d2[k] * a) + d1[k] * j; }
   L by_b(std::size_t k, L v, L w, L a) const { return d3[k] * (1.5 * v) + d2[k] * (a * w); }
   L by_a(std::size_t k, L v) const { return d2[k] * v; }

@@ -15,7 +15,7 @@ using jerk_section_detail::last_window;
 
 namespace {
 
-constexpr std::size_t few_cells = 200;  // too few for windows
+constexpr std::size_t few_cells = 200;  // a section with fewer cells is too short for windows
 
 /// While the end of a window is open, the solver uses this part of every limit, to this accuracy, so that the next
 /// window can continue from the state at which the window is cut.
@@ -59,7 +59,7 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
     const std::size_t next = usual_start() + 1;
     done = plan_whole(starts[0], progress);
     for (std::size_t i = 1; i < starts.size() && !done; ++i) {
-      build(first, last, progress);  // again: cells may have been divided
+      build(first, last, progress);  // cells may have been divided: they are built again
       // If a long section fails, shorter windows may succeed.
       done = (i == next && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) ||
              plan_whole(starts[i], progress);
@@ -160,7 +160,7 @@ bool JerkSectionPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& res
     limits.acceleration = std::min(limits.acceleration, machine_.axes[k].acceleration / t);
     limits.jerk = std::min(limits.jerk, machine_.axes[k].jerk / t);
   }
-  if (!std::isfinite(limits.jerk)) return false;  // without a jerk limit, the acceleration would jump
+  if (!std::isfinite(limits.jerk)) return false;  // the acceleration would jump without a jerk limit
   append(result.law, straight_profile(line.length(), 0, 0, limits), line.s0(), segment);
   ++result.cells;
   return true;

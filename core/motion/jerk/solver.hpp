@@ -110,10 +110,10 @@ class JerkSolver {
   void direction(ProgressScope& progress);
 
   Ends ends(std::size_t g) const { return {b_[g], a_[g], v_[g], w_[g], b_[g + 1], a_[g + 1], v_[g + 1], w_[g + 1]}; }
-  /// Whether the section's end at which a half begins is at rest.
+  /// Returns whether the section's end at which a half begins is at rest.
   bool rests(std::size_t half) const { return !(b_[0][half] > 0); }
-  /// Whether the number of cells is odd. The second half then has one cell less than groups_; a cell of negligible
-  /// weight takes its place, and its last node is the one in the middle.
+  /// Returns whether the number of cells is odd. The second half then has one cell less than groups_; a cell of
+  /// negligible weight takes its place, and its last node is the one in the middle.
   bool odd() const { return n_ % lane_count != 0; }
   bool missing(std::size_t g, std::size_t half) const { return half == 1 && odd() && g + 1 == groups_; }
   std::size_t node_of(std::size_t i, std::size_t half) const { return half == 0 ? i : n_ - i; }
@@ -122,7 +122,7 @@ class JerkSolver {
   double cell_weight(std::size_t g, std::size_t half) const {
     return g < groups_ ? cells_[g].weight[half] : cells_[n_ - 1 - g].weight[1 - half];
   }
-  /// Whether rows of a node are at this place.
+  /// Returns whether rows of a node are at this place.
   bool holds(std::size_t i, std::size_t half) const { return i > 0 && (half == 0 ? i <= groups_ : i < n_ - groups_); }
 
   const JerkProblem<M>* problem_ = nullptr;

@@ -73,7 +73,7 @@ template <int M>
 JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
                                       const JerkSolverOptions& options, ProgressScope& progress) {
   JerkSolverResult result;
-  if (problem.cells.size() < lane_count) {  // nothing is unknown
+  if (problem.cells.size() < lane_count) {  // no value is unknown
     result.duration = jerk_piece(x[0], x[1], problem.cells[0].h).duration;
     result.converged = true;
     return result;
@@ -106,7 +106,8 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
     const double now = (1 - step) * gap_ / scale_ + step * target_;
     target_ = std::max(now * std::clamp(miss * miss, 0.1, 0.8), min_gap * options.gap * duration_ / scale_);
     stuck = step < stuck_step ? stuck + 1 : 0;
-    if (stuck == stuck_steps) {  // too near the boundary: restart from here, with balanced slacks and multipliers
+    if (stuck == stuck_steps) {  // the iterate is too near the boundary: it restarts from here, with balanced slacks
+                                 // and multipliers
       move_nodes();
       target_ = std::min(0.1, std::max(1e-3, 10 * now));
       start(target_, progress);

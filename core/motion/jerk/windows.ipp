@@ -16,8 +16,8 @@ using jerk_section_detail::last_window;
 
 namespace {
 
-/// Before braking begins, by the rough profile, a law may still differ from that of the whole section: for so long, in
-/// A/J and in braking times, is hoped at first.
+/// Duration, in A/J and in braking times, for which a law is first assumed to differ from that of the whole section
+/// before braking begins by the rough profile.
 constexpr double jerk_times = 5, braking_times = 5;
 /// Half-way through the dropped part, the next window's law must not be faster than the dropped one by more than this;
 /// otherwise the window's end has slowed the remaining cells, too.

@@ -7,7 +7,7 @@
 namespace bahnwerk {
 
 namespace {
-constexpr std::size_t pieces_per_report = 1 << 18;  // some 10 ms
+constexpr std::size_t pieces_per_report = 1 << 18;  // pieces that take about 10 ms
 }
 
 TimeLaw with_dwells(TimeLaw law, const PathTask& task, Progress& progress, double at) {

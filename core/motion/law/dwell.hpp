@@ -12,7 +12,7 @@ class Progress;
 /// `at`; its exceptions are passed on.
 TimeLaw with_dwells(TimeLaw law, const PathTask& task, Progress& progress, double at = 0);
 
-/// Whether a piece is a dwell.
+/// Returns whether a piece is a dwell.
 inline bool dwells(const LawPiece& p) { return p.v == 0 && p.a == 0 && p.j == 0 && p.snap == 0 && p.s_end == p.s; }
 
 }  // namespace bahnwerk

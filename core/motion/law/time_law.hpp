@@ -74,7 +74,7 @@ class TimeLaw {
   void extend(double s_end) {
     LawPiece& last = pieces_.back();
     last.s_end = s_end;
-    last.duration = (s_end - last.s) / last.v;  // not a sum, which would round over many cells
+    last.duration = (s_end - last.s) / last.v;  // a quotient; a sum would round over many cells
   }
   const LargeVector<LawPiece>& pieces() const { return pieces_; }
   double duration() const { return pieces_.empty() ? 0.0 : pieces_.back().t0 + pieces_.back().duration; }

@@ -19,7 +19,7 @@ struct Task {
   double low, high;  // lower and higher one of the end speeds
   double gap() const { return high - low; }
   double direct() const { return (low + high) / 2 * law.duration(gap()); }
-  /// Distance when it dips to rest.
+  /// Returns the distance when the profile dips to rest.
   double through_rest() const { return (low * law.duration(low) + high * law.duration(high)) / 2; }
   double least() const { return std::min(direct(), through_rest()); }
 };
@@ -155,7 +155,7 @@ Profile straight_profile(double distance, double start_speed, double end_speed, 
     profile.turning_speed = std::max(0.0, task.low - small);
   }
   large = task.gap() + small;
-  // Above both ends the change at the lower speed is the larger one, in a dip that at the higher.
+  // The change at the lower speed is the larger one above both ends, the change at the higher speed in a dip.
   const bool first_large = (start_speed < end_speed) == above;
   const SpeedChange one = task.law.shape(large), other = task.law.shape(small);
   lay_pieces(profile, first_large ? one : other, first_large ? other : one, limits);

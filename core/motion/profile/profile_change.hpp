@@ -71,7 +71,7 @@ class SpeedChangeLaw {
   }
   /// Returns A θ(A), the height from which on the acceleration limit is reached; infinite without one.
   double full_height() const { return full_; }
-  /// Whether neither jerk nor snap is limited, so that the acceleration jumps.
+  /// Returns whether neither jerk nor snap is limited, so that the acceleration jumps.
   bool jumps() const { return rise_ == 0; }
   /// Returns the phases of a change by `height`.
   SpeedChange shape(double height) const;

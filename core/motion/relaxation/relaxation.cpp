@@ -32,8 +32,8 @@ void RelaxationSolver<N>::take(const RelaxationProblem<N>& problem) {
   matrix_.assign(cells_ + 4, {});
   for (std::size_t k = 0; k < N; ++k)
     inverse_jerk_[k] = 1 / problem.jerk[k], inverse_acceleration_[k] = 1 / problem.acceleration[k];
-  // Well below the caps, rising and falling by a part of what accelerations allow, and from rest no faster than by a
-  // constant jerk.
+  // The start is well below the caps, rises and falls by a part of what accelerations allow, and leaves rest no faster
+  // than by a constant jerk.
   double reach = 0, total = 0;
   for (const auto& cell : cells) total += cell.length;
   std::vector<double>& rise = step_;  // rise of b in each cell
@@ -45,7 +45,7 @@ void RelaxationSolver<N>::take(const RelaxationProblem<N>& problem) {
     b = first_cap * cell.cap;
     inverse_cap_[i + 2] = 1 / cell.cap;
     const double way = std::min(problem.rest_first ? middle : never, problem.rest_last ? total - middle : never);
-    double jerk = never, acceleration = never;  // along the path
+    double jerk = never, acceleration = never;  // limits along the path
     for (std::size_t k = 0; k < N; ++k)
       if (const double rate = std::max(std::abs(cell.begin[k]), std::abs(cell.end[k])); rate > 0)
         jerk = std::min(jerk, problem.jerk[k] / rate),

@@ -65,7 +65,7 @@ class RelaxationSolver {
   RelaxationMultipliers<N> multipliers() const;
 
  private:
-  using Sides = Lanes<2>;  ///< both sides of |x| ≤ limit
+  using Sides = Lanes<2>;  ///< values for both sides of |x| ≤ limit
   /// Spline j has the stored cells j … j + 2 as its support; place r of its support is stored as j + 2 − r.
   struct Spline {
     Inequality<double> time;

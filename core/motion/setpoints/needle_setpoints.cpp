@@ -77,7 +77,7 @@ void NeedleSetpoints::write(Row& row, double* out) const {
   const AxisJet q = row.last ? axes_->at_parameter(segment, u) : axes_->at(segment, x.s);
   for (std::size_t k = 0; k < n; ++k) {
     out[k] = shown_[k] * q.value[k];
-    out[n + k] = shown_[k] * (q.d1[k] * x.v) + 0.0;  // no -0
+    out[n + k] = shown_[k] * (q.d1[k] * x.v) + 0.0;  // the sum contains no −0
     out[2 * n + k] = shown_[k] * (q.d2[k] * (x.v * x.v) + q.d1[k] * x.a);
     out[3 * n + k] = shown_[k] * (q.d3[k] * (x.v * x.v * x.v) + 3 * q.d2[k] * (x.v * x.a) + q.d1[k] * x.j);
   }

@@ -16,7 +16,7 @@ class PathSetpoints : public MotionSetpoints {
   PathSetpoints(std::shared_ptr<const PathMotion> motion, const Machine& machine, std::size_t cycles);
 
  protected:
-  /// Number of columns before those that derived classes add.
+  /// Returns the number of columns before those that derived classes add.
   std::size_t path_columns() const { return 3 * motion_->axes() + 2; }
   /// Evaluates the law once for the axes, s and v.
   void write(Row& row, double* out) const override;

@@ -10,7 +10,7 @@ namespace {
 // effect.
 constexpr double primal_shift = 1e-11, dual_shift = 1e-13, rounding = 1e-17;
 
-/// Σ a b, four sums side by side: additions that do not wait for each other.
+/// Returns Σ a b as four sums side by side: additions that do not wait for each other.
 double dot(const double* a, const double* b, std::size_t count) {
   double sums[4] = {0, 0, 0, 0};
   std::size_t k = 0;
@@ -281,7 +281,7 @@ bool BorderedBand::factor_band() {
     pivots_[k] = pivot;
     reach = std::max(reach, std::min(slots_ - 1, pivot + half_));
     if (std::isnan(band(pivot, k))) return false;
-    // Nothing is left but what rounding lost: a pivot of its size, whose effect refinement takes out again.
+    // Nothing but rounding is left: the pivot is set to its size, and refinement takes the effect out again.
     if (band(pivot, k) == 0) band(pivot, k) = rounding * largest;
     if (pivot != k)
       for (std::size_t j = k; j <= reach; ++j) std::swap(band(k, j), band(pivot, j));
@@ -297,7 +297,7 @@ bool BorderedBand::factor_band() {
   return true;
 }
 
-/// All columns of the border at once: solved_ has a row per slot.
+/// Solves for all columns of the border at once: solved_ has a row per slot.
 void BorderedBand::solve_border(std::size_t columns) {
   solved_.resize(slots_ * columns);
   const auto row = [&](std::size_t i) { return solved_.data() + i * columns; };

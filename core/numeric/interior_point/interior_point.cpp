@@ -41,7 +41,7 @@ double largest(const Vector& a) {
   return most_of(a.size(), 0, [&](std::size_t i) { return std::abs(a[i]); });
 }
 
-constexpr int most_directions = 12;  // most directions of GMRES
+constexpr int most_directions = 12;  // largest number of directions of GMRES
 
 class Driver {
  public:

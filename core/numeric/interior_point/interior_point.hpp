@@ -54,7 +54,7 @@ struct InteriorPointOptions {
   /// Whether solutions are refined (solve_refined). A positive definite K without equalities does not need it.
   bool refined = true;
   int max_iterations = 80;
-  std::function<void()> tick;  ///< called every iteration; may throw
+  std::function<void()> tick;  ///< callback of every iteration; may throw
 };
 
 /// The outcome of the method.
@@ -83,7 +83,7 @@ struct DualValue {
   double value = 0;              ///< −gᵀz − eᵀy
   std::vector<double> residual;  ///< c + Gᵀz + Eᵀy
 };
-/// Negative z count as 0.
+/// Returns the value of the dual; negative z count as 0.
 DualValue dual_value(const InteriorPointSystem& system, const std::vector<double>& y, const std::vector<double>& z);
 
 }  // namespace bahnwerk

@@ -59,7 +59,7 @@ void OptimisationEvaluator::report() {
 void OptimisationEvaluator::values(std::span<const double> z, bool gradients) {
   report();
   const std::size_t n = problem_.dimension, inequalities = problem_.inequality.rows, rows = row_scale_.size();
-  point_.defined = false;  // in case a callback throws
+  point_.defined = false;  // a callback may throw
   point_.has_gradient = false;
   point_.z.assign(z.begin(), z.end());
   for (std::size_t j = 0; j < n; ++j) {

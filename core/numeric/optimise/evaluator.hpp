@@ -28,15 +28,15 @@ class OptimisationEvaluator {
 
   const OptimisationProblem& problem() const { return problem_; }
   std::vector<double> scaled(std::span<const double> x) const;
-  double lower(std::size_t j) const { return lower_[j]; }  ///< scaled
+  double lower(std::size_t j) const { return lower_[j]; }  ///< scaled lower bound of variable j
   double upper(std::size_t j) const { return upper_[j]; }
 
   /// The result is valid until the next call. Callbacks run only where `z` or the gradients are new.
   const OptimisationPoint& at(std::span<const double> z, bool gradients);
   /// Returns the feasible point with the least objective, else the one with the least violation; without gradients.
   const OptimisationPoint& best() const { return best_; }
-  /// Finite values for points where the problem is undefined, worse than all others, for methods without gradients,
-  /// which compare them.
+  /// Return finite values for points where the problem is undefined, worse than all others, for methods without
+  /// gradients, which compare them.
   double worse_objective() const { return worst_ + (worst_ - min_) + 1; }
   double worse_row() const { return worst_violation_ + 1; }
 

@@ -51,7 +51,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& a, const Eigen
       closed[static_cast<std::size_t>(enter)] = true;
       used.push_back(enter);
       Eigen::VectorXd next = solve();
-      if (!(next[enter] > 0)) {  // it seemed useful by rounding only
+      if (!(next[enter] > 0)) {  // the variable seemed useful by rounding only
         used.pop_back();
         continue;
       }

@@ -128,7 +128,8 @@ class Solve {
     return result(feasible() ? OptimisationStatus::search_ended : OptimisationStatus::infeasible);
   }
 
-  /// Whether `z` is feasible, as good as the best point seen, and satisfies the KKT conditions; fills confirmed_.
+  /// Returns whether `z` is feasible, as good as the best point seen, and satisfies the KKT conditions; fills
+  /// confirmed_.
   bool confirm(const std::vector<double>& z) {
     confirmed_.kkt_residual = nan;
     const OptimisationPoint& point = evaluator_.at(z, true);

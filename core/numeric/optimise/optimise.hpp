@@ -57,13 +57,13 @@ struct OptimisationOptions {
   /// A search ends when it moves by less, relative to x and to the scales. For cobyla 1e-5 is suitable; with less it
   /// may alternate between two points until max_evaluations.
   double step_tolerance = 1e-9;
-  double kkt_tolerance = 1e-6;         ///< see kkt_residual
+  double kkt_tolerance = 1e-6;         ///< largest kkt_residual of a solution
   double constraint_tolerance = 1e-8;  ///< largest violation of a feasible point
   std::size_t max_evaluations = 10000;
   std::uint64_t seed = 1;  ///< seed of isres and of the starting points of repeated searches
 };
 
-/// How a search ended.
+/// Reason for which a search ended.
 enum class OptimisationStatus {
   /// slsqp, mma: the point is feasible and its KKT residual within its tolerance: a local minimum to first order.
   converged,
@@ -83,7 +83,7 @@ enum class OptimisationStatus {
 /// The best point found.
 struct OptimisationResult {
   OptimisationStatus status = OptimisationStatus::undefined;
-  std::vector<double> x;                                        ///< within the bounds
+  std::vector<double> x;                                        ///< solution within the bounds
   double objective = std::numeric_limits<double>::quiet_NaN();  ///< f(x)
   double violation = std::numeric_limits<double>::quiet_NaN();  ///< largest violation of a row, in its scale
   /// slsqp, mma: the least ‖∇f + Jᵀλ‖∞ and |λᵢcᵢ| over multipliers of the right sign, scaled, relative to max(1,

@@ -12,7 +12,7 @@ namespace bahnwerk {
 
 PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const Machine& machine,
                                 const ContourPlanning& planning, Progress& progress, double from, double to) {
-  constexpr double rounded = 0.2;  // of the progress
+  constexpr double rounded = 0.2;  // part of the progress at which rounding ends
   PreparedContour posed{given, {}};
   PathPlanning& path = posed.path;
   const std::size_t moving = std::min(machine.dimension(), given->dimension);

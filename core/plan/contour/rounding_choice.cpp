@@ -10,7 +10,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double quicker = 1 - 1e-9;  // than this is rounding
+constexpr double quicker = 1 - 1e-9;  // a ratio of durations closer to 1 is rounding
 
 /// Returns the range of pieces of a law on the path's segments [first, last).
 struct Part {
@@ -66,7 +66,7 @@ class Chooser {
   }
 
   RoundingChoice run() {
-    constexpr double first = 0.9;  // of the progress
+    constexpr double first = 0.9;  // part of the progress
     const double middle = from_ + first * (to_ - from_);
     MethodResult law = plan(*rounded_, from_, middle);
     stage_progress_.done(first);
@@ -121,7 +121,7 @@ class Chooser {
       stage_progress_.work(1);
       if (!s.changed || !(stopping.least(s.given, s.given_end, stage_progress_) < quicker * s.law.duration)) continue;
       s.stopping = stopping_.path.size();
-      s.stopping_law.end = 1;  // in doubt
+      s.stopping_law.end = 1;  // the stop counts until it is planned
       stopping_.rests.push_back({s.stopping, 0, 0});
       for (std::size_t i = s.given; i < s.given_end; ++i) {
         if (stopping_.blocks.empty() || stopping_.blocks.back().feed != feeds[i])

@@ -15,7 +15,7 @@ class Progress;
 
 struct RoundingChoice {
   std::shared_ptr<const Contour> driven;
-  MethodResult planned;  ///< its time law, without dwells, on the method's first grid
+  MethodResult planned;  ///< the result; its time law is without dwells, on the method's first grid
 };
 
 /// Returns the contour to drive. `sections` and `rounded` are results of `blend`. `machine` has the limits of the

@@ -8,7 +8,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double rounding = 1e-9;  // of the sum, and of what a joint allows
+constexpr double rounding = 1e-9;  // relative rounding of the sum, and of a joint's limit
 
 /// Returns ∫ (1 − v/F) dt over at most `tau` s, for v ≤ w + A t.
 double lost_to_acceleration(double speed, double w, double acceleration, double tau) {
@@ -72,7 +72,7 @@ StoppingTime::Limit StoppingTime::limit(std::size_t i) const {
     if (q2 > 0) l.speed = std::min(l.speed, std::sqrt(acceleration_ / q2));
     l.jerk += q2 * q2 * l.speed * l.speed * l.speed;
   } else {
-    l.jerk = unlimited;  // its curvature is not known
+    l.jerk = unlimited;  // the curvature is not known
   }
   l.time = segment.length() / l.speed;
   return l;

@@ -245,7 +245,7 @@ std::string spectrum_drawing(const LawPlan& plan) {
     out += svg::text({left - 6, y + 4}, drawing::tick_label(value), std::string(small) + " text-anchor=\"end\"");
   });
   const double each = width / static_cast<double>(n), bar = std::max(1.0, 0.36 * each);
-  // Three digits, or all before the point.
+  // Writes a number with three digits, or with all before the point.
   const auto frequency = [&](std::size_t k) {
     const double hertz = static_cast<double>(k + 1) / plan.solution.cycle_duration;
     const double unit = std::min(1.0, std::pow(10.0, std::floor(std::log10(hertz)) - 2));

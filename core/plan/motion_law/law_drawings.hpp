@@ -10,7 +10,7 @@ namespace bahnwerk {
 /// of the point's angle and as high as the range of the value (open ends reach the frame) [Nolte, Bild 4]; limits of
 /// sections are dashed. The law is drawn over what it is compared with: the law of `active_set`, or the classical one.
 std::string law_drawing(const LawPlan& plan);
-/// Amplitudes of the acceleration's harmonics, of the law and of the classical one, side by side.
+/// Draws the amplitudes of the acceleration's harmonics, of the law and of the classical one, side by side.
 std::string spectrum_drawing(const LawPlan& plan);
 
 }  // namespace bahnwerk

@@ -30,7 +30,7 @@ LawToVerify published(const LawPlan& plan) {
   return out;
 }
 
-/// What a textbook would take: modified sines between the states of the law at its points, velocities kept.
+/// Returns the law that a textbook takes: modified sines between the states of the law at its points, velocities kept.
 cam::CamLaw classical_law(const cam::MotionLawProblem& problem, const cam::LawSolution& solution) {
   std::vector<double> breaks;
   std::vector<cam::LawPiece> pieces;

@@ -15,17 +15,17 @@ namespace bahnwerk {
 
 class Progress;
 
-/// How long a step of the table is.
+/// Length of a step of the table.
 struct LawSampling {
   std::optional<double> cycle_time;    ///< s; divides the cycle to 1e-9
   std::optional<std::size_t> samples;  ///< steps per cycle
 };
 
 struct LawPlan {
-  cam::MotionLawProblem problem;  ///< with the cycle's duration
+  cam::MotionLawProblem problem;  ///< the problem with the cycle's duration
   cam::LawSolution solution;
-  double lower = 0;                            ///< no law has a smaller J
-  std::string basis;                           ///< of `lower`
+  double lower = 0;                            ///< lower bound of J: no law has less
+  std::string basis;                           ///< method that proves `lower`, for people
   std::optional<cam::LawSolution> source_law;  ///< `optimal`: that of `active_set`, where there is one
   std::optional<cam::CamLaw> classical;        ///< a classical law through the same states at the points
   std::shared_ptr<const SetpointSource> table;

@@ -25,8 +25,8 @@ double mean_velocity_bound(const cam::MotionLawProblem& problem) {
 
 namespace {
 
-/// What method `optimal` proves of a problem that `active_set` solved: with fixed angles it has a bound over all laws.
-/// A classical law is one of these laws where its acceleration does not jump inside the section.
+/// Bounds a law of `active_set` by what method `optimal` proves of its problem: with fixed angles it has a bound over
+/// all laws. A classical law is one of these laws if its acceleration does not jump inside the section.
 void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Progress& progress) {
   constexpr std::size_t most_sections = 100;
   if (problem.sections() > most_sections) return;

@@ -11,8 +11,8 @@ class Progress;
 
 struct PlannedLaw {
   cam::LawSolution solution;
-  double lower = 0;   ///< no law of whatever degree and angles has a smaller J
-  std::string basis;  ///< what the bound rests on
+  double lower = 0;   ///< lower bound of J: no law of whatever degree and angles has less
+  std::string basis;  ///< method that proves the bound, for people
   /// `optimal` with fixed angles in a known cycle: the law of `active_set`, where there is one.
   std::optional<cam::LawSolution> source;
 };
@@ -20,7 +20,7 @@ struct PlannedLaw {
 /// smaller.
 PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress);
 
-/// A bound that costs nothing: between two points the mean velocity is reached. 0 where positions are not given.
+/// Returns a bound that costs nothing: between two points the mean velocity is reached. 0 if positions are not given.
 double mean_velocity_bound(const cam::MotionLawProblem& problem);
 
 }  // namespace bahnwerk

@@ -17,7 +17,7 @@ namespace {
 using drawing::Envelope;
 using drawing::Panel;
 
-constexpr std::size_t columns = 720;                                            // of a curve over time
+constexpr std::size_t columns = 720;  // number of columns of a curve over time
 constexpr double chart_width = 720, chart_height = 96, right = 16, title = 30;  // px
 constexpr double plot = 720, least_plot = 160, left = 64, top = 46, gap = 52;   // px
 constexpr const char* axis_colours[] = {"#1f5fbf", "#d9730d", "#1d8a5f"};

@@ -14,7 +14,7 @@
 namespace bahnwerk {
 namespace {
 
-// Where each stage ends, of the progress; the bound comes last.
+// Parts of the progress at which the stages end; the bound comes last.
 constexpr double planned = 0.7, verified = 0.8, read = 0.85;
 
 /// Every method's motion keeps its limits by construction, with room for rounding: nothing is corrected.

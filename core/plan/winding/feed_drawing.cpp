@@ -23,7 +23,7 @@ constexpr const char* thin_style = "fill=\"none\" stroke=\"#20242a\" stroke-widt
 constexpr const char* limit_style = "fill=\"none\" stroke=\"#c1121f\" stroke-dasharray=\"6 4\"";
 constexpr const char* small = "font-size=\"12\" fill=\"#4a525c\"";
 
-using Line = std::vector<Point>;  // over s, mm
+using Line = std::vector<Point>;  // a curve over s, mm
 
 /// Returns the segments of the first coil's first turn, [0, n).
 std::size_t first_turn(const WindingPlan& plan) {
@@ -148,7 +148,7 @@ std::string feed_drawing(const WindingRequest& request, const WindingPlan& plan)
                                                                 request.half_speed_curvature, request.along.velocity});
   std::vector<Line> axes(path.axes());
   Line allowed;
-  double highest = 0;  // of what the feed's own limits allow
+  double highest = 0;  // highest speed that the feed's own limits allow
   for (std::size_t i = 0; i < n; ++i) {
     const Curve& curve = path[i].curve();
     for (std::size_t k = 0; k <= per_segment; ++k) {

@@ -11,10 +11,11 @@
 namespace bahnwerk {
 
 struct SlotAccess {
-  double step = 0;                            ///< mm, width of the cells
-  std::vector<winding::DrawnClearance> maps;  ///< without pivot shift; then with it, if the request has one
-  std::vector<double> shares;                 ///< per map: share of the slot's cells that keep least_clearance (1)
-  std::string drawing;                        ///< SVG
+  double step = 0;  ///< mm, width of the cells
+  std::vector<winding::DrawnClearance>
+      maps;                    ///< the map without pivot shift; then the one with it, if the request has one
+  std::vector<double> shares;  ///< share of the slot's cells that keep least_clearance (1) in each map
+  std::string drawing;         ///< SVG
 };
 
 /// Returns the maps; none for a rotor, whose slots are open. About 500 cells in all, 0.05 to 0.1 s. Throws Stopped.

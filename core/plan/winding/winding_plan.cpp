@@ -31,7 +31,7 @@ using winding::FixedPiece;
 using winding::RotorPart;
 using winding::StatorPart;
 
-// Relative to the longest step: each setpoint is nearer to its own place than to those of its neighbours.
+// Resolution relative to the longest step: each setpoint is nearer to its own place than to those of its neighbours.
 constexpr double most_lag = 0.5;
 // mm or deg, largest deviation of an axis' setpoint from the motion, from the inverse of the arc length and rounding.
 constexpr double rounding_of_rows = 1e-10;
@@ -90,7 +90,7 @@ class Planner {
     try {
       machine = machine_path(tool.tool, tool.orientation, request_.configurations).kinematics;
     } catch (const UnreachablePose&) {
-      return;  // told with its place when the path is final
+      return;  // the fault is reported with its place when the path is final
     }
     const LinkTimer timer(*machine, request_.along, request_.cycle_time, progress_);
     const winding::NeedlePath substitute = linked_by(LinkObjective::control_distance);

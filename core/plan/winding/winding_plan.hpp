@@ -30,8 +30,8 @@ class Progress;
 
 /// The methods for the feed along the needle's path.
 inline constexpr Named<PlanningMethod> feed_methods[] = {
-    {PlanningMethod::natural, "natural"},                  // every link evenly in its own parameter [Herrmann 3.3.1]
-    {PlanningMethod::constant, "constant"},                // from rest to one speed and back to rest [3.3.1]
+    {PlanningMethod::natural, "natural"},    // every link is passed evenly in its own parameter [Herrmann 3.3.1]
+    {PlanningMethod::constant, "constant"},  // the motion goes from rest to one speed and back to rest [3.3.1]
     {PlanningMethod::critical_points, "critical_points"},  // one speed per piece of the path, changes between [4.4.2]
     {PlanningMethod::jerk_limited, "optimised"}};          // least time under all limits [4.4.3]
 
@@ -51,15 +51,15 @@ inline constexpr Named<LinkChoice> link_choices[] = {{LinkChoice::curvature, "cu
 struct WindingRequest {
   std::variant<winding::StatorPart, winding::RotorPart> part;
   winding::Wire wire;
-  std::vector<winding::Coil> coils;  ///< in the order in which they are wound, at least one
+  std::vector<winding::Coil> coils;  ///< coils in the order in which they are wound, at least one
   std::size_t turns = 0;             ///< turns of each coil; 0: as many as the slot takes
   std::size_t parallel = 1;          ///< wires in hand: every turn lays as many
   winding::ProducibleOptions hold;   ///< friction and tolerance that hold a laid wire
   winding::NeedleModel model;
-  winding::TensionModel tension;  ///< its force is model.pull's
+  winding::TensionModel tension;  ///< tension model; its force is that of model.pull
   double bears = 0;               ///< N, breaking force of the wire
   winding::NeedleShape needle;
-  double swivel_length = unlimited;  ///< from the swivel's axis to the needle's tip, mm
+  double swivel_length = unlimited;  ///< length from the swivel's axis to the needle's tip, mm
   winding::ToolPost tool;            ///< posts of a stator's winding tools
   double least_clearance = 0;        ///< mm, least clearance that the needle has to keep
   winding::LinkOptions links;
@@ -69,7 +69,7 @@ struct WindingRequest {
   /// The machine, one entry for each configuration in which its arm can reach a pose.
   std::vector<std::shared_ptr<const Kinematics>> configurations;
   double cycle_time = 0.002;                           ///< s
-  PlanningMethod feed = PlanningMethod::jerk_limited;  ///< one of feed_methods
+  PlanningMethod feed = PlanningMethod::jerk_limited;  ///< feed method, one of feed_methods
   FeedLaw law = FeedLaw::convex;                       ///< algorithm of jerk_limited
   /// Speed profile of feed changes for the methods constant and critical_points.
   SpeedProfile profile = SpeedProfile::double_s;
@@ -97,17 +97,17 @@ struct WindingPlan {
   std::vector<winding::Turn> turns;          ///< turns of all coils
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
-  std::optional<LinkTimes> link_times;   ///< if minimum_time was requested
-  winding::Clearance clearance;          ///< its `move`: index in path.pieces
+  std::optional<LinkTimes> link_times;   ///< set if minimum_time was requested
+  winding::Clearance clearance;          ///< least clearance; its `move` is an index in path.pieces
   std::string nearest;                   ///< name of the nearest obstacle, such as "stack"
   std::shared_ptr<const PosePath> tool;  ///< path.pieces as a path; source() of a segment is the index in path.pieces
   MachinePath machine;
-  PathPlan motion;         ///< its verification is that of the whole plan, including clearance and forward kinematics
+  PathPlan motion;  ///< the motion; it has the verification of the whole plan, with clearance and forward kinematics
   double path_length = 0;  ///< mm
   double wire_length = 0;  ///< mm, of all wires of all coils: through the middle of their places
   double resistance = 0;   ///< Ω, of all coils in series
   double fastest = 0;      ///< mm/s, of the needle along its path
-  /// Its jerk: the largest along the path, and in space with when [(4.80)], mm/s³, s.
+  /// The needle's jerk: the largest along the path, the largest in space and its time [(4.80)], mm/s³, s.
   struct Jerk {
     double along = 0, total = 0, at = 0;
   } jerk;

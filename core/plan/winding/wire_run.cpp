@@ -67,7 +67,7 @@ Drawing WireRun::drawing(std::size_t segment, double u, const LawState& law) con
 }
 
 struct WireRows::State {
-  using LawAt = std::pair<std::size_t, Drawing>;  ///< of which piece of the path, and the wire there
+  using LawAt = std::pair<std::size_t, Drawing>;  ///< piece of the path, and the wire there
 
   State(const WireRun& wire, const SetpointSource& source, const PathMotion& sampled)
       : run(wire), motion(sampled), path(wire.tool_->tool), rows(source.count()), h(source.cycle_time()) {
@@ -109,9 +109,9 @@ struct WireRows::State {
     return {path[at].source(), run.drawing(at, path[at].parameter(law.s), law)};
   }
 
-  // In the middle of the cycle that ends with row k, by the law, with the cycle's mean acceleration: where the wire
-  // begins to lie on its bend circle the acceleration itself has a pole that lasts microseconds. Where the wire gets
-  // another anchor its speed steps, which only differences of rows see.
+  // Measures the wire in the middle of the cycle that ends with row k, by the law, with the cycle's mean acceleration:
+  // where the wire begins to lie on its bend circle the acceleration itself has a pole that lasts microseconds. Where
+  // the wire gets another anchor its speed steps, which only differences of rows see.
   void within(std::size_t k, const Measured& before, const Measured& after) {
     const double t = (static_cast<double>(k) - 0.5) * h;
     if (!left || row_of_left + 1 != k) left = law_at(static_cast<double>(k - 1) * h);
@@ -140,7 +140,7 @@ struct WireRows::State {
   double h;  ///< s, a cycle
   std::array<std::size_t, 7> column{};
   std::size_t segment = 0, entered = 0, coil = 0, piece = 0;
-  std::optional<LawAt> left;  ///< what is known of row `row_of_left`
+  std::optional<LawAt> left;  ///< the wire at row `row_of_left`, as far as it is known
   std::size_t row_of_left = 0;
   std::array<Measured, 3> last{};
   WireFigures figures;

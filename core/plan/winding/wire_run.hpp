@@ -64,7 +64,7 @@ class WireRows final : public RowCheck {
   WireRows(const WireRun& wire, const SetpointSource& setpoints, const PathMotion& motion, double permitted);
   ~WireRows() override;
   void row(std::size_t k, const double* row) override;
-  std::vector<Check> checks() override;  ///< wire_checks()
+  std::vector<Check> checks() override;  ///< returns wire_checks()
   const WireFigures& figures() const;
 
  private:

@@ -73,7 +73,7 @@ class ArcSearch {
 
   const TurnPath& best() const { return best_; }
   double duration() const { return shortest_; }
-  /// Whether all points are in one row, so that there is nothing to choose.
+  /// Returns whether all points are in one row, so that there is nothing to choose.
   bool single() const { return best_.nodes() == 2; }
 
   /// Alternates between speeds and directions, from the edges' directions on.
@@ -99,7 +99,7 @@ class ArcSearch {
     path.start_from(other.directions());
     path = offer(std::move(path), scope);
     const double duration = path.duration();
-    // What ends where a search has ended before is the same path again.
+    // A search that ends where another one has ended before finds that path again.
     if (duration != known && duration < promising * shortest_) polish(std::move(path), duration, scope);
   }
 

@@ -8,7 +8,7 @@
 
 namespace bahnwerk::probe {
 namespace {
-constexpr double length_rounding = 1e-9;  // of an edge: room for what directions leave
+constexpr double length_rounding = 1e-9;  // relative to an edge: room for the rounding of directions
 constexpr int speed_steps = 50;           // steps of the bisection for a speed: to 1e-15 of the interval
 }  // namespace
 
@@ -106,7 +106,7 @@ TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::ve
   std::size_t row_begin = 0;
   for (std::size_t i = 1; i < n; ++i) {
     Candidates& here = all[i];
-    here.resize(1);  // rest
+    here.resize(1);  // the first candidate is a rest
     if (i + 1 < n) {
       const Turn& turn = turns[i];
       const double most = largest[i];

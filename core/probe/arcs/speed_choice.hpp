@@ -29,7 +29,7 @@ class SpeedChoice {
     Vec offset;           // C − P
     double time = 0;      // shortest from the start to the middle of the turn, s
     int before = -1;      // candidate at the point before
-    bool by_row = false;  // from a rest at the begin of the row that ends here
+    bool by_row = false;  // whether it comes from a rest at the begin of the row that ends here
   };
   using Candidates = std::vector<Candidate>;
   double largest_speed(std::size_t i, const Turn& turn, Vec in, Vec out) const;

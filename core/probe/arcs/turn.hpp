@@ -28,7 +28,7 @@ class Turn {
   Turn(const ProbeProblem& problem, Vec in, Vec out);
 
   bool any() const { return !(change_ == Vec{}); }  ///< whether directions change
-  TurnSize size(double speed) const;                ///< at `speed`, mm/s
+  TurnSize size(double speed) const;                ///< size of the turn at `speed`, mm/s
   /// Returns the apex C of a turn at `point`.
   Vec apex(Vec point, const TurnSize& size) const { return point - size.moment * change_; }
   /// Returns the largest distance, mm, of the first half from the edge from `before` to `point` and of the second one
@@ -40,10 +40,10 @@ class Turn {
  private:
   struct Phase {
     double duration;
-    double gain, a, j, snap;  // of the speed, at its begin: what has changed, and its derivatives
+    double gain, a, j, snap;  // speed at the begin: its change so far, and its derivatives
     double way;               // ∫ of the gain until its begin, mm
   };
-  /// The first half: up to four phases, the last of which may be half of one that the second half goes on with.
+  /// Writes the first half: up to four phases, the last of which may be half of one that the second half goes on with.
   std::size_t rise(double speed, std::array<Phase, 4>& phases) const;
 
   Vec in_, out_, change_;

@@ -9,7 +9,8 @@
 namespace bahnwerk::probe {
 namespace {
 
-constexpr double lengthening = 1 + 1e-12;  // of what a straight needs, so that the profile's own rounding never fails
+constexpr double lengthening =
+    1 + 1e-12;  // factor of the length that a straight needs, so that the profile's own rounding never fails
 
 Vec unit(Vec x) { return x / norm(x); }
 
@@ -76,14 +77,14 @@ double TurnPath::straight_duration(std::size_t i) const {
 
 void TurnPath::repair(ProgressScope& progress) {
   constexpr int most_lowerings = 40;
-  constexpr double negligible = 0.02;  // of the speed that was asked for: rest instead
+  constexpr double negligible = 0.02;  // share of the requested speed below which the head rests instead
   const std::vector<double> asked = speeds_.speed;
   std::vector<int> lowered(nodes(), 0);
   std::vector<double> factor(nodes());
   for (;;) {
     std::fill(factor.begin(), factor.end(), 1.0);
     bool right = true;
-    // By little at first: neighbours give way, too.
+    // Speeds are lowered by little at first: neighbours give way, too.
     const auto lower = [&](std::size_t i) {
       right = false;
       factor[i] = std::min(factor[i], 1 - std::min(0.5, 0.004 * (1 << std::min(lowered[i], 8))));

@@ -41,7 +41,7 @@ class TurnPath {
  private:
   Turn turn(std::size_t i) const { return {*problem_, direction_[i - 1], direction_[i]}; }
   Vec point(std::size_t i) const { return problem_->points[speeds_.node[i]]; }
-  /// From apex i to the next one.
+  /// Returns the straight from apex i to the next one, mm.
   Vec way(std::size_t i) const { return (point(i + 1) - point(i)) + (offset_[i + 1] - offset_[i]); }
   bool turns(std::size_t i) const { return speeds_.speed[i] > 0; }
   void measure();
@@ -50,12 +50,12 @@ class TurnPath {
   double straight_length(std::size_t i) const;
   double straight_duration(std::size_t i) const;
 
-  const ProbeProblem* problem_;  // not null
+  const ProbeProblem* problem_;  // the problem, not null
   TurnSpeeds speeds_;
-  std::vector<Vec> direction_;  // per edge between nodes
-  std::vector<TurnSize> size_;  // per node
+  std::vector<Vec> direction_;  // direction of each edge between nodes
+  std::vector<TurnSize> size_;  // size of each node's turn
   std::vector<Vec> offset_;     // C − P, per node: small beside coordinates, so that short edges lose no digits
-  double rounding_;             // of a distance, mm
+  double rounding_;             // rounding of a distance, mm
 };
 
 }  // namespace bahnwerk::probe

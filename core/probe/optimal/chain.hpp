@@ -11,15 +11,15 @@ namespace bahnwerk {
 template <int D>
 struct ChainNode {
   std::array<std::array<double, D>, 4> state{};
-  int point = -1;      ///< which point is passed here, or −1
+  int point = -1;      ///< the point that is passed here, or −1
   bool still = false;  ///< velocity 0 is given: where the head turns back without a tube
   bool given = false;  ///< the whole state is given: at both ends, and where a window begins
 };
 
 struct ChainCell {
   double duration = 0;   ///< s
-  std::size_t edge = 0;  ///< between points `edge` and `edge` + 1
-  int level = 0;         ///< how many times it was halved
+  std::size_t edge = 0;  ///< the cell lies between points `edge` and `edge` + 1
+  int level = 0;         ///< number of times it was halved
 };
 
 /// nodes = cells + 1; cell k leads from node k to node k + 1.
@@ -38,7 +38,7 @@ template <int D>
 struct ChainLimits {
   std::vector<std::array<double, D>> points;
   double tolerance = 0;      ///< radius of the capsules around the edges, mm; 0: unlimited
-  std::vector<double> ball;  ///< per point the radius of the ball that is passed, mm; 0: the point itself is passed
+  std::vector<double> ball;  ///< radius of the ball of each point that is passed, mm; 0: the point itself is passed
   double speed = 0;          ///< Euclidean, mm/s
   std::array<std::array<double, D>, 3> derivative{};  ///< limits of acceleration, jerk, snap of every axis, mm/s² …
 };

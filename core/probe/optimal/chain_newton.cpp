@@ -102,7 +102,7 @@ bool ChainNewton<D>::assemble(const CellChain<D>& chain, const Slacks& slack, co
       tg -= mu / g.back();
       tt += l.back() / g.back();
     }
-    // From the cell's own time to time itself, and what is given is no unknown.
+    // Derivatives are converted from the cell's own time to time itself; given values are no unknowns.
     double scale[8];
     scale[0] = scale[4] = 1;
     for (int p = 1; p < 4; ++p) scale[p] = scale[4 + p] = scale[p - 1] * h;

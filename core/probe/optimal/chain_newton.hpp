@@ -13,14 +13,14 @@ namespace bahnwerk {
 
 struct Barrier {
   double mu = 0;         ///< weight of −Σ ln of the slacks, s
-  double damping = 0;    ///< added to the diagonal, relative to it
-  double stiffness = 0;  ///< added to the diagonal of the durations' logarithms, relative to the durations
+  double damping = 0;    ///< addition to the diagonal, relative to it
+  double stiffness = 0;  ///< addition to the diagonal of the durations' logarithms, relative to the durations
 };
 
 template <int D>
 class ChainNewton {
   static constexpr int N = 4 * D;  // unknowns of a node
-  static constexpr int L = 2 * N;  // of a cell, without its duration
+  static constexpr int L = 2 * N;  // unknowns of a cell, without its duration
   using Block = Eigen::Matrix<double, N, N>;
   using Vector = Eigen::Matrix<double, N, 1>;
   using Slacks = ChainSlacks<D>;

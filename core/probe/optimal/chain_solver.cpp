@@ -54,7 +54,7 @@ class Solver {
   }
 
  private:
-  // For every slack that is looked at, f(slack, multiplier, its change).
+  // Calls f(slack, multiplier, its change) for every slack that counts.
   template <typename Visit>
   void each(Visit&& f) {
     for (std::size_t c = 0; c < cells_; ++c)
@@ -101,7 +101,7 @@ class Solver {
       }
   }
 
-  // Linear changes of the slacks; returns the part of the merit's slope that is the durations'.
+  // Computes the linear changes of the slacks; returns the durations' part of the merit's slope.
   double find_changes(double& alpha) {
     double slope = 0;
     for (std::size_t c = 0; c < cells_; ++c) {

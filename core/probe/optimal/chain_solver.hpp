@@ -18,7 +18,7 @@ namespace bahnwerk {
 
 struct ChainSolverOptions {
   double gap = 1e-3;    ///< the search ends where Σ λ g ≤ gap · duration
-  int iterations = 60;  ///< at most
+  int iterations = 60;  ///< largest number of iterations
   double start_mu = 0;  ///< barrier parameter relative to duration / constraints; 0: chosen
   double shortest = 0;  ///< least duration of a cell, s
 };

@@ -31,13 +31,13 @@ ChainLimits<D> limits_of(const ProbeProblem& problem) {
     limits.derivative[1][k] = axis.jerk * (1 - rounding_room);
     limits.derivative[2][k] = axis.snap * (1 - rounding_room);
   }
-  // Relative to the first point: cells are short beside the digits of coordinates that are far from 0.
+  // Coordinates are relative to the first point: cells are short beside the digits of coordinates that are far from 0.
   for (const Vec& p : problem.points) {
     std::array<double, D> at;
     for (std::size_t k = 0; k < D; ++k) at[k] = p[k] - problem.points.front()[k];
     limits.points.push_back(at);
   }
-  // What is left of the tolerance of points that stand for several given ones.
+  // Points that stand for several given ones have less of the tolerance left.
   std::vector<double> taken(problem.points.size(), 0.0);
   for (std::size_t i = 0; i < problem.given.size(); ++i) {
     const std::size_t p = problem.point_of[i];
@@ -112,7 +112,7 @@ std::size_t line_end(const std::vector<Vec>& points, std::size_t from) {
   return to;
 }
 
-// Without a tube: rest at every corner, and along the line between, where the head may turn back without a rest.
+// Plans without a tube: rest at every corner, and along the line between, where the head may turn back without a rest.
 ProbeMotion on_polyline(const ProbeProblem& problem, const Report& report) {
   const std::vector<Vec>& points = problem.points;
   const std::size_t dimension = problem.dimension();

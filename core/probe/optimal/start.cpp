@@ -71,7 +71,7 @@ class Passage {
   const std::array<double, D>& point(std::size_t i) const { return limits_.points[from_ + i]; }
   double length(std::size_t i) const { return capsule<D>(point(i), point(i + 1), 0).length; }
 
-  // Through points i … end, at rest at both.
+  // Returns the chain through points i … end, at rest at both.
   CellChain<D> curve(std::size_t i, std::size_t end) const {
     CellChain<D> chain;
     const auto distance = [&](double s) { return std::min(s - at_[i], at_[end] - s); };

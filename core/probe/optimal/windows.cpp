@@ -67,9 +67,9 @@ std::size_t look_ahead(const ChainLimits<D>& limits, std::size_t from, double br
 struct Effort {
   int levels;
   double final_gap;
-  int iterations;  // of a level
+  int iterations;  // iterations of a level
 };
-// Few points may take long each.
+// Few points may take long each; many get less.
 Effort effort(std::size_t edges) {
   if (edges <= 40) return {6, 1e-4, 150};
   if (edges <= 150) return {4, 3e-4, 120};

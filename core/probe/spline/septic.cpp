@@ -19,7 +19,7 @@ Bezier septic(const SepticEnd& l, const SepticEnd& r, double h) {
 }
 
 std::array<Vec, 8> septic_coefficients(const SepticEnd& l, const SepticEnd& r, double h) {
-  // What the right end has beyond the left one's Taylor polynomial.
+  // Difference of the right end from the left one's Taylor polynomial.
   const std::array<Vec, 4> rest =
       landing<Vec>(r.x - l.x - h * (l.v + (h / 2) * (l.a + (h / 3) * l.j)), r.v - l.v - h * (l.a + (h / 2) * l.j),
                    r.a - l.a - h * l.j, r.j - l.j, h);

@@ -21,7 +21,7 @@ namespace {
 
 using namespace probe;
 
-/// What is between two rests: a spline, or straights from rest to rest.
+/// A part between two rests: a spline, or straights from rest to rest.
 struct Section {
   std::size_t first = 0, last = 0;
   std::unique_ptr<SplineRun> run;
@@ -93,7 +93,7 @@ class SplinePlanner {
   static constexpr std::size_t late_level = 6, last_level = 10;
   struct Part {
     std::size_t first = 0, last = 0;
-    std::size_t level = 0;  // how many times it was more than half of what was divided
+    std::size_t level = 0;  // number of times it was more than half of the divided part
   };
   std::size_t next(std::size_t i, std::size_t last) const { return std::min(last, row_end_[i]); }
   double resting(std::size_t first, std::size_t last) const {
@@ -107,7 +107,7 @@ class SplinePlanner {
   double duration_of(const Section& s) const {
     return s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
   }
-  /// What was divided by rests could be passed without, too: the quicker one is taken, the inner ones first.
+  /// Parts that were divided by rests could be passed without, too: the quicker way is taken, the inner ones first.
   void prefer_whole() {
     if (whole_.empty()) return;
     std::vector<std::size_t> begins_at(problem_.points.size(), 0);  // the section that does
@@ -177,7 +177,7 @@ class SplinePlanner {
   const ProbeProblem& problem_;
   bool jerks_, many_;
   std::vector<std::size_t> row_end_;
-  std::vector<Section> sections_, whole_;  // in order of points; those that were divided, outer ones first
+  std::vector<Section> sections_, whole_;  // sections in order of points; those that were divided, outer ones first
   double duration_ = 0;
 };
 
@@ -197,7 +197,7 @@ class SplineSearch {
     starts_.push_back(offer(problem_, false));
     offer_all(slower_problems(problem_, best_->duration()));
     offer_all(weaker_problems(problem_));
-    // What helps at the speed of the best plan may do nothing at the given one.
+    // A change that helps at the speed of the best plan may do nothing at the given one.
     if (starts_.front().problem != &problem_ && points <= some) offer_all(weaker_problems(*starts_.front().problem));
     starts_.resize(std::min<std::size_t>(starts_.size(), points <= few ? 3 : points <= some ? 1 : 0));
     for (const Candidate& start : starts_) improve(start);

@@ -9,8 +9,8 @@
 namespace bahnwerk::probe {
 namespace {
 
-constexpr double least_share = 0.04;       // of velocity at a point: below it the head rests there
-constexpr double quick_least_share = 0.3;  // where there are many points
+constexpr double least_share = 0.04;       // share of velocity at a point below which the head rests there
+constexpr double quick_least_share = 0.3;  // least share where there are many points
 
 /// Limits that hold along every direction.
 ProfileLimits limits_anywhere(const ProbeProblem& problem) {
@@ -125,7 +125,7 @@ SplineRun::Strains SplineRun::strains(std::size_t i, double resolution) const {
                s = derivative(j, h);
   const int depth = resolution < 1e-3 ? 40 : resolution < 0.05 ? 3 : 2;
   Strains out;
-  const double slow = 0.5;  // below it nothing matters
+  const double slow = 0.5;  // a smaller share does not matter
   out.time = peak_of(
       v, [&](Vec w) { return norm(w) / problem_.speed; }, slow, resolution, depth);
   const auto take = [&](const Bezier& of, const Strain& strain, double order) {

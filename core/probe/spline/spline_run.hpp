@@ -32,7 +32,7 @@ class SplineRun {
 
  private:
   struct Strains {
-    double time = 0;  // how many times as long the interval should last
+    double time = 0;  // ratio of the duration that the interval needs to its present one
     double tube = 0;  // deviation / δ
   };
   std::size_t intervals() const { return time_.size(); }
@@ -45,7 +45,7 @@ class SplineRun {
   /// Sets the states at the points by the parabolas through three points, from the times alone.
   void make_ends();
   struct Best {
-    double duration = unlimited;  // once limits are kept
+    double duration = unlimited;  // duration once limits are kept
     std::vector<double> time;
     std::vector<SepticEnd> ends;
   };
@@ -65,11 +65,11 @@ class SplineRun {
   const ProbeProblem& problem_;
   std::size_t first_;
   bool jerks_, quick_;
-  double least_share_;                         // of velocity at a point: below it the head rests there
+  double least_share_;                         // share of velocity at a point below which the head rests there
   double rounding_, reach_ = 0;                // mm: of distances; along which speeds change
-  std::vector<double> length_, time_, share_;  // per interval, per interval, λ per point
-  std::vector<SepticEnd> ends_;                // per point
-  std::vector<ProfileState> along_;            // per point: of the profile
+  std::vector<double> length_, time_, share_;  // length and duration of each interval, λ of each point
+  std::vector<SepticEnd> ends_;                // state at each point
+  std::vector<ProfileState> along_;            // state of the profile at each point
   Best best_;
   std::vector<std::size_t> rests_;
 };

@@ -24,7 +24,7 @@ class MotionWriter {
   State carry();
 
   double time() const { return time_; }       ///< s
-  Vec position() const { return position_; }  ///< where the last piece ends, mm
+  Vec position() const { return position_; }  ///< place where the last piece ends, mm
   /// Adds a piece of `duration` s from position() with these derivatives (mm/s … mm/s⁴) at its begin. A duration that
   /// is lost in the rounding of time() adds nothing.
   void add(double duration, Vec v, Vec a, Vec j, Vec snap);

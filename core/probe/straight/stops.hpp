@@ -11,7 +11,7 @@ class ProgressScope;
 /// Rests at every point but for those in a row (straight_rows()). O(points). Throws what progress throws.
 ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress);
 ProbeMotion plan_stops(const ProbeProblem& problem, ProgressScope& progress);
-/// Its duration, s.
+/// Returns the duration, s.
 double stops_duration(const ProbeProblem& problem);
 
 }  // namespace bahnwerk

@@ -9,7 +9,7 @@
 namespace bahnwerk::probe {
 namespace {
 
-/// When the profile has covered `distance`, s.
+/// Returns the time at which the profile has covered `distance`, s.
 double time_at(const Profile& profile, double distance) {
   const auto pieces = profile.pieces();
   std::size_t i = 0;
@@ -36,11 +36,11 @@ Profile profile_between(const ProbeProblem& problem, std::size_t from, std::size
 class RowFinder {
  public:
   explicit RowFinder(const ProbeProblem& problem) : points_(problem.points) {
-    // What rounding of coordinates makes of points on a line, or half of what the document allows.
+    // Distance of points from a line that counts as rounding of coordinates, or half of what the document allows.
     reach_ = std::max(coordinate_rounding(problem) / 4, 0.5 * std::min(problem.point_tolerance, problem.tolerance));
   }
 
-  /// Whether the straight from a to b passes what is in between.
+  /// Returns whether the straight from a to b passes what is in between.
   bool passes(std::size_t a, std::size_t b) const {
     const Vec chord = points_[b] - points_[a];
     const double length = norm(chord);

@@ -220,7 +220,7 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
     else
       way = std::abs(b.position[k] - a.position[k]);
     c.displacement[k] = std::max(0.0, way * (1 - 1e-13) - position_error);
-    if (c.kind == Cell::Kind::curved)  // there and back
+    if (c.kind == Cell::Kind::curved)  // the axis may go there and back
       way = std::min(way + 2 * c.length * range->wrong(k), c.length * range->most(k));
     c.energy[k] = 2 * acceleration_[k] * (way + 1e-13 * c.length + position_error);
     if (c.kind == Cell::Kind::curved && range->wrong(k) > 0) c.turning = static_cast<std::uint8_t>(c.turning | 1u << k);

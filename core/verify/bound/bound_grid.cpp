@@ -175,7 +175,7 @@ void BoundGrid<N>::build(std::size_t first, std::size_t last, bool rest_first, b
   fresh_.assign(1, {0, static_cast<std::uint32_t>(order_.size() - 1)});
 }
 
-// Into quarters.
+// Divides a cell into quarters.
 template <int N>
 void BoundGrid<N>::divide(std::uint32_t first, std::uint32_t last) {
   std::array<Node, 5> nodes;

@@ -64,7 +64,7 @@ class BoundGrid {
   double velocity(std::size_t k) const { return velocity_[k]; }
   double jerk(std::size_t k) const { return jerk_[k]; }  ///< may be infinite
   double feed(std::size_t segment) const { return feeds_[segment]; }
-  /// Nodes along the path; cell i lies between node i and node i + 1.
+  /// Returns the nodes along the path; cell i lies between node i and node i + 1.
   Ordered<Node, std::uint32_t> nodes() const { return {nodes_, order_.data(), order_.size()}; }
   Ordered<Cell, std::uint32_t> cells() const { return {cells_, order_.data(), order_.size() - 1}; }
   /// Nodes by BoundNode::id, which is unchanged when the grid is refined, and the cells that begin at them.
@@ -72,15 +72,16 @@ class BoundGrid {
   std::size_t ids() const { return nodes_.size(); }
   const Node& node_of(std::uint32_t id) const { return nodes_[id]; }
   const Cell& cell_of(std::uint32_t id) const { return cells_[id]; }
-  /// Between nodes `first` and `last` of order() all cells are new since the last build() or refine(), and nodes, these
-  /// two included, are new or may have another cap. Spans are ascending.
+  /// Part of the grid that has changed: between nodes `first` and `last` of order() all cells are new since the last
+  /// build() or refine(), and nodes, these two included, are new or may have another cap. Spans are ascending.
   struct Span {
     std::uint32_t first, last;
   };
   const std::vector<Span>& fresh() const { return fresh_; }
   /// Returns the range of q' between two nodes of one segment.
   DirectionRange<N> range(const Node& a, const Node& b) const;
-  /// Through kinematics: enclosures between two nodes are used for all intervals within them, until forget().
+  /// Makes enclosures between two nodes serve for all intervals within them, until forget(); it has an effect through
+  /// kinematics alone.
   void remember(const Node& a, const Node& b) const;
   void forget() const { whole_.segment = static_cast<std::size_t>(-1); }
   /// Returns bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
@@ -94,7 +95,7 @@ class BoundGrid {
     complete(n);
     return n;
   }
-  /// Whether |q'| = 1 and q'' ⟂ q' there, so that no axis along which the tool moves is left out.
+  /// Returns whether |q'| = 1 and q'' ⟂ q' there, so that no axis along which the tool moves is left out.
   bool unit_direction(const Node& n) const;
   double path_length(const Node& n) const { return path_[n.segment].s0() + n.s; }
   /// Returns the largest |v̇| along the path on both sides of a joint, mm/s², where b is at most `cap`.

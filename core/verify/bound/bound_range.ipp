@@ -90,7 +90,7 @@ typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, d
   if (known) return sizes;
   const Hodograph::DerivativeBounds derivative_bounds = this->derivative_bounds(segment, u0, u1);
   const MapBounds map = path_.map_bounds(segment, middle, length);
-  known = path_.pose_turn(segment, middle, half) == 0;  // otherwise the tool's angles move the axes, too
+  known = path_.pose_turn(segment, middle, half) == 0;  // if not, the tool's angles move the axes, too
   for (std::size_t k = 0; k < axes_; ++k) {
     const double m1 = scale_[k] * map.order[0][k], m2 = scale_[k] * map.order[1][k], m3 = scale_[k] * map.order[2][k];
     const double first = known ? m1 : unlimited, second = known ? m2 + m1 * derivative_bounds.second : unlimited;

@@ -42,7 +42,7 @@ void BoundSolver<N>::forwards(const std::vector<Span>& all) {
   const std::vector<std::uint32_t>& order = grid_.order();
   const auto n = static_cast<std::uint32_t>(order.size());
   reached_.clear();
-  std::uint32_t i = 0;  // behind the last node reached
+  std::uint32_t i = 0;  // index behind the last node reached
   for (const Span& fresh : all) {
     if (fresh.last < i) continue;
     const std::uint32_t first = std::max(fresh.first, i);

@@ -20,7 +20,7 @@ std::array<double, N> difference(const std::array<double, N>& a, const std::arra
 }
 }  // namespace
 
-// Whether the curve between a and b may differ from what values at the two nodes suggest.
+// Returns whether the curve between a and b may differ from what values at the two nodes suggest.
 template <int N>
 bool BoundGrid<N>::too_wide(const Node& a, const Node& b) const {
   const double length = b.s - a.s;

@@ -140,7 +140,8 @@ Hodograph::Range Hodograph::range(double u0, double u1) {
     const double even = c[0] + c[2] + c[4], odd = c[1] + c[3], ends = std::abs(odd);
     double low = even - ends, high = even + ends;
     const double slope = 2 * std::abs(c[2]) + 3 * std::abs(c[3]) + 4 * std::abs(c[4]) + 5 * left[k];
-    if (std::abs(c[1]) < slope) {  // not certainly monotone: the quadratic part, and the rest of the others
+    if (std::abs(c[1]) <
+        slope) {  // it is not certainly monotone: the quadratic part counts, and the rest of the others
       const double border = c[0] + c[2];
       low = border - std::abs(c[1]), high = border + std::abs(c[1]);
       if (std::abs(c[1]) < 2 * std::abs(c[2])) {

@@ -15,7 +15,7 @@ constexpr double widest_swing = 0.1;  // largest change of q″ b within a cell,
 // The largest v² of the pieces of a cell over the smallest: the relaxation knows their mean, in which a trough is lost.
 constexpr double alike = 1.2;
 constexpr std::size_t beyond = 200;  // cells by which windows of the relaxation extend further
-// Worth less than 1e-5 of the bound, through kinematics 1e-4.
+// These accuracies are worth less than 1e-5 of the bound, through kinematics 1e-4.
 constexpr double gap = 1e-4, violation = 1e-5, kinematic_gap = 3e-3, kinematic_violation = 1e-3;
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // least number of cells of a section
@@ -33,7 +33,7 @@ template <int N>
 std::array<double, N> shown_jerk(const BoundGrid<N>& grid) {
   std::array<double, N> shown;
   shown.fill(infinite);
-  double longest = 0;  // ramp
+  double longest = 0;  // longest ramp of an axis
   for (std::size_t k = 0; k < grid.axes(); ++k) longest = std::max(longest, grid.acceleration(k) / grid.jerk(k));
   for (std::size_t k = 0; longest > 0 && k < grid.axes(); ++k)
     shown[k] = std::min(grid.jerk(k), grid.acceleration(k) / (at_once * longest));

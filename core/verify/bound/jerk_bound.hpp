@@ -28,7 +28,7 @@ class JerkBound {
   using Row = std::array<double, N>;
   JerkBound(const BoundGrid<N>& grid, const Machine& machine, ProgressScope& progress);
 
-  /// Whether any axis has a jerk limit.
+  /// Returns whether any axis has a jerk limit.
   bool limited() const { return limited_; }
   /// Returns the bound for the first nodes of the current grid, s. `b` is the largest v² that a motion may have at each
   /// of them; `time` is the approximate duration between them without limits of jerk. Returns 0 where jerk has no

@@ -19,7 +19,7 @@ double sq(double x) { return x * x; }
 template <int N>
 class Piece {
  public:
-  /// For b up to `most`, pairs of axes that cannot limit it in any case are left out.
+  /// Leaves out pairs of axes that cannot limit any b up to `most`.
   Piece(const JerkCapPiece<N>& piece, double most) : p_(piece) {
     const double cube = most * std::sqrt(most);  // v³
     for (std::size_t k = 0; k < p_.axes; ++k)
@@ -136,8 +136,8 @@ JerkCap jerk_cap(const JerkCapPiece<N>& piece, double most) {
   double low = p.least_cap(), high = most;
   double above = p.excess(most), change = p.change(), below = -1;
   if (!(above > 0)) return {most, change};
-  // Between a possible and an impossible b: the middle of a wide range, and of every third; else where a straight line
-  // is 0. `high` counts, and need not be the least.
+  // The search between a possible and an impossible b takes the middle of a wide range, and of every third; else where
+  // a straight line is 0. `high` counts, and need not be the least.
   for (int i = 0; i < most_steps && high > close_enough * low; ++i) {
     const double straight = low + (high - low) * std::clamp(-below / (above - below), 0.05, 0.95);
     const double b = high > wide * low || i % 3 == 2 ? std::sqrt(low) * std::sqrt(high) : straight;

@@ -29,7 +29,7 @@
 
 namespace bahnwerk::verify {
 
-/// How far an axis keeps its direction. The default values state that nothing is known.
+/// A way, ahead or behind, on which an axis keeps its direction. The default values state that nothing is known.
 struct AxisWay {
   double displacement = 0, steps = 0,
          end = std::numeric_limits<double>::infinity();  ///< distance, mm; sum of the steps of acceleration on it, and
@@ -65,7 +65,7 @@ struct JerkCap {
   double change = 0;  ///< bound of the change of b along the piece at that cap
 };
 
-/// Whether jerk may limit b to less than `most`, as far as the ends of the piece show. 20 ns for two axes.
+/// Returns whether jerk may limit b to less than `most`, as far as the ends of the piece show. 20 ns for two axes.
 template <int N>
 bool jerk_may_limit(const JerkCapPiece<N>& piece, double most);
 

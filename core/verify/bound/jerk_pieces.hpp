@@ -42,7 +42,7 @@ class JerkPieces {
   /// O(1) each. `fine`: on Cartesian axes twice as many where jerk changes the speed.
   void begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing, double first_piece,
              bool fine);
-  /// Whether there is a piece i; if so, the lists contain it.
+  /// Returns whether there is a piece i; if so, the lists contain it.
   bool has(std::size_t i);
   /// Removes the first `count` pieces; the following one becomes piece 0. O(count).
   void drop(std::size_t count);

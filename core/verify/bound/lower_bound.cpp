@@ -116,7 +116,7 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
     Effort effort;
   };
   const Grade least{wider, effort(wider)};
-  Grade rough = least;  // where jerk may rule
+  Grade rough = least;  // cells of sections where jerk may rule
   if (jerk.limited()) {
     rough.wider = std::max(wider, wider_with_jerk);
     rough.effort = effort(path.cartesian() ? rough.wider : std::max(wider, kinematic_with_jerk));

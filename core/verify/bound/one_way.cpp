@@ -25,7 +25,7 @@ void OneWay<N>::pass(const BoundGrid<N>& grid, const std::vector<double>& b, boo
   ends.of.resize(n), ends.list.clear();
   bool changed = true;
   std::array<End, N> now;
-  std::array<int, N> sign{};  // of q' there, 0 as long as it stands still
+  std::array<int, N> sign{};  // sign of q' there, 0 as long as the axis stands still
   // The distance ends at a node. b is at most `cap` there.
   const auto end = [&](const BoundNode<N>& node, std::size_t k, double cap) {
     const double size = std::abs(node.tangent[k]) + node.rounding_error, q2 = std::abs(node.curvature[k]) * cap,

@@ -14,7 +14,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Differences between two segments.
 struct Difference {
-  double tangent = 0, q2 = 0, third = 0;           ///< of q′, q″, q‴: largest |Δ|, 1, 1/mm, 1/mm²
+  double tangent = 0, q2 = 0, third = 0;           ///< largest |Δ| of q′, q″, q‴: 1, 1/mm, 1/mm²
   double pace = 0, change = 0, second_change = 0;  ///< |w′ − 1|, |w″|, |w‴|
   double curvature = 0, torsion = 0;               ///< largest |q″|, |q‴| of either
   bool none() const { return tangent == 0 && q2 == 0 && third == 0 && pace == 0; }
@@ -51,7 +51,7 @@ bool difference(const Arc& a, const Arc& b, double length, Difference& d) {
   return true;
 }
 
-/// False: two different curves.
+/// Bounds the differences between two segments; returns false if their curves are too different to compare.
 bool difference(const Segment& a, const Segment& b, Difference& d) {
   if (a.straight() != b.straight() || a.cusp_begin() != b.cusp_begin() || a.cusp_end() != b.cusp_end()) return false;
   const double length = length_of(b), off = std::abs(length_of(a) - length);
@@ -81,7 +81,7 @@ double excess(const Difference& d, const Machine& machine, std::size_t axes, con
   const double jerk = (2 * d.third + 7 * d.pace * d.torsion) * v3 + (6 * d.q2 + 9 * d.pace * d.curvature) * v * a +
                       6 * d.curvature * d.change * v3 + 6 * d.change * v * a + 2 * d.second_change * v3 +
                       (d.tangent + d.pace > 0 ? (2 * d.tangent + d.pace) * along : 0);
-  double worst = d.pace;  // of feeds
+  double worst = d.pace;  // largest relative difference; it begins with that of feeds
   for (std::size_t k = 0; k < axes; ++k) {
     const AxisLimits& limit = machine.axes[k];
     if (!std::isfinite(acceleration + jerk)) return infinite;

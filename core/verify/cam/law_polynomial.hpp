@@ -5,23 +5,23 @@
 
 namespace bahnwerk::verify {
 
-/// Σ c_k C(n, k) x^k (1 − x)^(n − k) by the binomial sum. O(n).
+/// Returns Σ c_k C(n, k) x^k (1 − x)^(n − k) by the binomial sum. O(n).
 double bernstein_sum(const std::vector<double>& c, double x);
-/// Coefficients of the derivative of the given order over time, from differences of the position's: Δ^r b · n!/(n − r)!
-/// / T^r; {0} above the degree.
+/// Returns the coefficients of the derivative of the given order over time, from differences of the position's: Δ^r b ·
+/// n!/(n − r)! / T^r; {0} above the degree.
 std::vector<double> derivative_coefficients(const std::vector<double>& b, double duration, int order);
-/// What the coefficients of a piece can express in a derivative: their spread · n!/(n − r)!/T^r, and what rounding may
-/// move it by.
+/// Magnitude that the coefficients of a piece can express in a derivative: their spread · n!/(n − r)!/T^r, and how far
+/// rounding may move it.
 struct DerivativeScale {
   double size = 0, rounding = 0;
 };
 DerivativeScale derivative_scale(const std::vector<double>& b, double duration, int order);
 
 struct EnclosedMaximum {
-  double value = 0;  ///< at least the maximum over [0, 1], at most `tolerance` above it
+  double value = 0;  ///< upper bound of the maximum over [0, 1], at most `tolerance` above it
   double at = 0;
 };
-/// Best-first bisection: a part's coefficients bound it from above.
+/// Finds the maximum by best-first bisection: a part's coefficients bound it from above.
 EnclosedMaximum enclosed_maximum(const std::vector<double>& c, double tolerance);
 
 }  // namespace bahnwerk::verify

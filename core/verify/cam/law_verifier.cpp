@@ -18,7 +18,7 @@ using cam::MotionLawProblem;
 using cam::Range;
 using namespace verify;
 
-constexpr double tolerance = 1e-9;  // of what coefficients can express
+constexpr double tolerance = 1e-9;  // part of the magnitude that coefficients can express
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 const char* derivative_name(int order) {

@@ -18,12 +18,12 @@ class Progress;
 struct LawToVerify {
   std::vector<double> breaks;                  ///< s, one more than pieces
   std::vector<std::size_t> sections;           ///< the section of each piece
-  std::vector<std::vector<double>> bernstein;  ///< each piece's, over its local parameter 0 … 1
+  std::vector<std::vector<double>> bernstein;  ///< Bernstein coefficients of each piece, over its local parameter 0 … 1
   std::vector<double> at;                      ///< chosen angles, one per point, master's unit
   double cycle_duration = 0;                   ///< s
   double objective = 0;                        ///< J as reported
-  std::vector<double> peaks;                   ///< one per order, as reported
-  std::optional<double> bound;                 ///< on J, as reported
+  std::vector<double> peaks;                   ///< reported peaks by order
+  std::optional<double> bound;                 ///< reported bound on J
 };
 
 /// Checks, each the worst of its kind, `at` s:

@@ -21,7 +21,7 @@ std::complex<double> response(const std::vector<double>& a, double begin, double
   int steps = std::max(8, static_cast<int>(std::ceil(std::abs(rate) * duration / 0.5)));
   std::complex<double> row[levels];
   for (int level = 0; level < levels; ++level, steps *= 2) {
-    std::complex<double> sum = 0;  // over the places that the level before lacks
+    std::complex<double> sum = 0;  // sum over the places that the level before lacks
     if (level == 0) sum = (value(0) + value(1)) / 2.0;
     for (int k = 1; k < steps; k += level == 0 ? 1 : 2) sum += value(static_cast<double>(k) / steps);
     std::complex<double> now = sum / static_cast<double>(steps) + (level == 0 ? 0 : row[0] / 2.0);

@@ -9,7 +9,7 @@ struct LawToVerify;
 
 namespace verify {
 
-/// f(z) of a law from rest to rest with its inflection at λ, f(0) = 0, f(1) = 1 [VDI 2143].
+/// Returns f(z) of a law from rest to rest with its inflection at λ, f(0) = 0, f(1) = 1 [VDI 2143].
 double textbook_law(cam::ClassicalLaw law, double z, double inflection);
 
 /// Adds `classical law`: the largest distance, in parts of the stroke, of every section that names a law and rests at

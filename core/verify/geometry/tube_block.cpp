@@ -141,7 +141,7 @@ Worst TubeBlock::bound(double& found) {
   return worst;
 }
 
-/// Whether both sides of the beginning of a piece may be treated separately, because it is matched well.
+/// Returns whether both sides of the beginning of a piece may be treated separately, because it is matched well.
 bool TubeBlock::separates(std::size_t link) const {
   return link == 0 || link >= links_.size() || ends_[link - 1].distance <= (enough - slack_share) * tolerance_;
 }

@@ -32,7 +32,7 @@ class TubeBlock {
   /// Matched pieces of a path segment and of a contour segment.
   struct Cell {
     std::size_t path = 0, given = 0;
-    MatchedPieces pieces;  ///< a is the path's piece, b the contour's
+    MatchedPieces pieces;  ///< piece a of the path, piece b of the contour
   };
   /// The place of the contour that is matched to the end of a piece: a piece of the contour, a parameter, and the
   /// distance, mm.

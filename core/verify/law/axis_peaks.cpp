@@ -105,7 +105,7 @@ class Sweeper {
     return r * r;
   }
 
-  // All channels at the parameters in batch_, where the law's state is state(i).
+  // Evaluates all channels at the parameters in batch_, where the law's state is state(i).
   template <class State>
   void fill(std::size_t segment, int points, double* values, State&& state) {
     batch_.count = static_cast<std::size_t>(points);
@@ -268,7 +268,7 @@ class Sweeper {
     const double before = segment.travelled(u0), ds = segment.travelled(u1) - before;
     if (!(u1 > u0) || !(ds > 0)) {  // standing still, or shorter than the parameter resolves
       AxisJet q = in_.path.at_parameter(piece.segment, u0);
-      if (b0 == 0 && b1 == 0) q.d2 = q.d3 = {};  // infinite at a cusp, where nothing moves
+      if (b0 == 0 && b1 == 0) q.d2 = q.d3 = {};  // they are infinite at a cusp, where nothing moves
       for (std::size_t c = 0; c < channels_.size(); ++c) {
         const std::size_t k = channels_[c].axis;
         for (const double b : {b0, b1})
@@ -357,7 +357,7 @@ class Sweeper {
     return make_check({CheckedQuantity::axis, order, axis.unit, axis.name}, channel.limit, worst);
   }
 
-  // When a piece passes the place where its peak was found.
+  // Returns the time at which a piece passes the place where its peak was found.
   double moment(const LawPiece& piece, double at) const {
     if (piece.segment >= in_.path.size()) return piece.t0;
     const Segment& segment = in_.path[piece.segment];
@@ -373,14 +373,14 @@ class Sweeper {
   ProgressScope& progress_;
   std::vector<Channel> channels_;
   PeakSweep peaks_;
-  std::vector<Peak> worst_;  // of the motions before in which the limit was exceeded
+  std::vector<Peak> worst_;  // largest peaks of the motions before in which the limit was exceeded
   std::vector<TooFast> too_fast_;
   RepeatedRuns repeated_;
   LocalPlaces places_;
-  std::optional<AxisDiscsAlong> through_;  ///< of axes that follow the path through kinematics
+  std::optional<AxisDiscsAlong> through_;  ///< discs of axes that follow the path through kinematics
   ArcLengthCheck arc_length_;
   std::size_t index_ = 0;
-  std::size_t end_segment_ = static_cast<std::size_t>(-1);  // where the last piece ended, to invert u(s) once per piece
+  std::size_t end_segment_ = static_cast<std::size_t>(-1);  // end of the last piece, to invert u(s) once per piece
   double end_s_ = 0, end_u_ = 0;
   std::size_t tangent_of_ = static_cast<std::size_t>(-1);
   AxisJet tangent_;

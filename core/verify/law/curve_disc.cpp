@@ -98,7 +98,7 @@ CurveDisc CurveDiscs::make(double centre, std::size_t vanishing) {
   CurveDisc none;
   none.centre = centre;
   if (count <= vanishing) return none;
-  count -= vanishing;  // of W = V/z^m
+  count -= vanishing;  // number of coefficients of W = V/z^m
   v_at_.assign(count, Vec{});
   for (std::size_t k = 0; k < 3; ++k) {
     const Polynomial p = shifted(v_[k], c, 1);

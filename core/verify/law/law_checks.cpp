@@ -33,7 +33,7 @@ SpeedRange speed_range(const Passed& passed) {
     if (!(v <= r.high)) r.high = v, r.high_at = p.t0 + tau;
   };
   const double T = p.duration, change = T * (std::abs(p.j) + T * std::abs(p.snap));
-  if (!p.constant_acceleration() && !(std::abs(p.a) > change))  // else a keeps its sign
+  if (!p.constant_acceleration() && !(std::abs(p.a) > change))  // otherwise a keeps its sign
     for (const double tau : turning_points(p))
       if (tau > 0 && tau < p.duration) offer(p.at(tau).v, tau);
   offer(passed.end.v, p.duration);
@@ -140,7 +140,7 @@ class LawChecker {
     if (joint.angle > in_.corner_angle || in_.rests[after.segment]) {
       corner_.raise(v, r0.speed + r1.speed, t);
       acceleration_gap_.raise(std::max(std::abs(a0), std::abs(a1)), r0.acceleration + r1.acceleration, t);
-      return;  // at rest no velocity step remains
+      return;  // no velocity step remains at rest
     }
     pass_joint(before.segment, after.segment, joint, v, a0, a1, t);
   }
@@ -226,7 +226,7 @@ class LawChecker {
   StrainedAxis step_, jump_;
   Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, corner_, cusp_,
       start_, end_, uncovered_, distance_;
-  Strained skipping_, apart_;  // from piece to piece: counts with outside_ and position_gap_
+  Strained skipping_, apart_;  // gaps from piece to piece: counted with outside_ and position_gap_
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ class LocalPlaces {
   double begin(std::size_t i) { return summed(i) ? places_[i - first_] : piece(i).s - segment(i).s0(); }
   /// Returns the end of piece i.
   double end(std::size_t i) { return summed(i) ? places_[i - first_ + 1] : piece(i).s_end - segment(i).s0(); }
-  /// Whether the piece ends where its segment does.
+  /// Returns whether the piece ends where its segment does.
   bool at_end(std::size_t i) {
     return summed(i) ? !(end(i) < length(segment(i))) : !(piece(i).s_end < segment(i).s1());
   }

@@ -26,7 +26,7 @@ class Rests {
   double begin = 0, lasts = 0;  ///< s
   Vec place;                    ///< mm
 
-  /// False behind the last one.
+  /// Goes to the next rest; returns false behind the last one.
   bool next() {
     const auto& pieces = law_.pieces();
     for (; next_ < pieces.size() && !(pieces[next_].v == 0); ++next_) progress_.work(1);

@@ -192,8 +192,8 @@ class Checker {
   }
 
   const MotionToVerify& in_;
-  std::array<std::vector<Worst>, derivatives> peaks_;  // of polynomials, per derivative and axis
-  PeakSweep sweep_;                                    // of all others
+  std::array<std::vector<Worst>, derivatives> peaks_;  // peaks of polynomials by derivative and axis
+  PeakSweep sweep_;                                    // peaks of all other functions
   std::vector<Strained> range_;
   std::array<Strained, 4> gaps_;
   Strained start_, end_;

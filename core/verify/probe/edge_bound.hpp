@@ -17,7 +17,7 @@
 
 namespace bahnwerk {
 
-/// All points within `radius` of the segment from `p` to `q`, mm.
+/// The set of all points within `radius` of the segment from `p` to `q`, mm.
 template <int D>
 struct SampleSet {
   std::array<double, D> p{}, q{};
@@ -28,7 +28,7 @@ struct SampleSet {
 template <int D>
 struct EdgeBoundProblem {
   std::vector<double> grid;                           ///< g_k, ascending; the points are passed at 0 and 1
-  std::vector<SampleSet<D>> set;                      ///< where x(h g_k) lies
+  std::vector<SampleSet<D>> set;                      ///< sets in which x(h g_k) lies
   double speed = 0;                                   ///< V, mm/s
   std::array<std::array<double, D>, 3> derivative{};  ///< L_2, L_3, L_4 per axis, mm/s², mm/s³, mm/s⁴
 };

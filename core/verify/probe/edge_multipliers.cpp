@@ -23,7 +23,7 @@ class Search {
     samples_.evaluate(at_.x, at_.h, at_.slack);
     count_ = 0;
     for (double g : at_.slack) count_ += g < no_limit;
-    double mu = 0.3 / count_;  // of ln h
+    double mu = 0.3 / count_;  // barrier parameter for ln h
     at_.dual.resize(at_.slack.size());
     for (std::size_t s = 0; s < at_.slack.size(); ++s) at_.dual[s] = at_.slack[s] < no_limit ? mu / at_.slack[s] : 0;
     EdgeMultipliers<D> best = multipliers();
@@ -56,7 +56,7 @@ class Search {
   }
 
  private:
-  static constexpr double gap = 2e-4;  // of ln h
+  static constexpr double gap = 2e-4;  // gap of ln h
   double merit(const std::vector<double>& slack, double h, double mu) const {
     double product = 1, sum = 0;
     for (double g : slack) {

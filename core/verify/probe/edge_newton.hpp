@@ -16,7 +16,7 @@ template <int D>
 struct EdgeIterate {
   std::vector<std::array<double, D>> x;  ///< samples
   double h = 0;
-  std::vector<double> slack, dual;  ///< as EdgeSamples numbers them
+  std::vector<double> slack, dual;  ///< slacks and multipliers as EdgeSamples numbers them
 };
 
 template <int D>

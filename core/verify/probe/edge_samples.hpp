@@ -23,7 +23,7 @@ class EdgeSamples {
   std::vector<Point> start() const;
   /// Returns whether sample k is fixed, because its set has next to no room.
   bool fixed(std::size_t k) const { return fixed_[k]; }
-  double radius(std::size_t k) const { return radius_[k]; }  ///< of its set, as the search takes it, mm
+  double radius(std::size_t k) const { return radius_[k]; }  ///< radius of its set in the search, mm
 
   std::size_t rows(std::size_t r) const { return rows_[r - 1].size(); }  ///< differences of order r = 1 … 4
   const std::array<double, 5>& row(std::size_t r, std::size_t k) const { return rows_[r - 1][k]; }

@@ -20,8 +20,8 @@ struct Move {
 };
 
 struct Effort {
-  double resolution;    // of the shortest time in which a limit is reached
-  std::size_t samples;  // of a move, at most
+  double resolution;    // width of a cell relative to the shortest time in which a limit is reached
+  std::size_t samples;  // largest number of samples of a move
   int coarse_passes, fine_passes;
 };
 Effort effort(std::size_t moves) {
@@ -59,14 +59,14 @@ double ramp_time(const ProbeProblem& problem) {
   return time;
 }
 
-// Where a sample of the move is when it passes its ends: what counts as one point lies closer than the tolerance, too.
+// Place of a sample of the move when it passes its ends: points that count as one lie closer than the tolerance, too.
 double point_radius(const ProbeProblem& problem, std::size_t point) {
   if (point == 0 || point + 1 == problem.points.size()) return 1e-9;
   return problem.given.size() == problem.points.size() ? problem.point_tolerance : 2 * problem.point_tolerance;
 }
 
-// Without a tube the motion lies on the polyline; at a corner its derivatives have two directions, so all up to the
-// jerk are zero.
+// A motion without a tube lies on the polyline; at a corner its derivatives have two directions, so all up to the jerk
+// are zero.
 bool rests_at(const ProbeProblem& problem, std::size_t point) {
   if (point == 0 || point + 1 == problem.points.size()) return true;
   if (problem.tolerance > 0) return false;
@@ -158,8 +158,8 @@ class MoveBound {
   SampleSet<D> set(const Move& move) const {
     return {position(problem_.points[move.from]), position(problem_.points[move.to]), move.radius};
   }
-  // At rest beyond that end, or in the neighbour's capsule for as long as it takes at least, then in a capsule around
-  // it and the next move, and so on.
+  // Returns the sets in which the motion is beyond an end of move i: at rest there, or in the neighbour's capsule for
+  // as long as it takes at least, then in a capsule around it and the next move, and so on.
   std::vector<Outside> outside(const std::vector<Move>& moves, std::size_t i, bool after, double step) const {
     std::vector<Outside> out;
     const std::size_t end = after ? moves[i].to : moves[i].from;

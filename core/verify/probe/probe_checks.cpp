@@ -15,8 +15,8 @@ namespace bahnwerk {
 namespace verify {
 namespace {
 
-constexpr double resolution = 1e-9;         // of a peak, relative
-constexpr double coordinate_share = 1e-12;  // of the largest coordinate, that a deviation may be off by
+constexpr double resolution = 1e-9;         // resolution relative to a peak
+constexpr double coordinate_share = 1e-12;  // error of a deviation relative to the largest coordinate
 constexpr double end_tolerance = 1e-9;      // mm
 
 /// Bernstein coefficients of up to three coordinates over a part of a piece.
@@ -80,7 +80,7 @@ class Enclosure {
 
  private:
   static constexpr int deepest = 44;
-  /// What is above the peak by less than the resolution still counts.
+  /// A value above the peak by less than the resolution still counts.
   static void keep(double upper, double when, Worst& worst) {
     if (upper > worst.value) worst.raise(upper, when);
   }
@@ -171,7 +171,7 @@ class ProbeChecker {
            std::is_sorted(t.begin(), t.end());
   }
 
-  /// Each point of the document at the time of what it counts as.
+  /// Checks each point of the document at the time of the point that it counts as.
   void points() {
     if (!std::isfinite(points_.value)) return;
     const ProbeProblem& p = in_.problem;

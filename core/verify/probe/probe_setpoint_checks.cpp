@@ -58,7 +58,7 @@ class ProbeRows final : public RowCheck {
 
   ProbeToVerify in_;
   const SetpointSource& setpoints_;
-  std::vector<std::size_t> column_;  // per axis position, velocity
+  std::vector<std::size_t> column_;  // columns of each axis: position, velocity
   std::size_t deviation_column_ = 0, speed_column_ = 0;
   bool complete_ = true;
   double largest_ = 0;

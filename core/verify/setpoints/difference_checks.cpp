@@ -67,7 +67,7 @@ class DifferenceRows final : public RowCheck {
       for (std::size_t i = 0; i < series.limits.size(); ++i) {
         if (!series.limits[i]) continue;
         const Check& held = *series.limits[i];
-        const bool feed = i == 0 && &series == &all_.back();  // of s, which was added last
+        const bool feed = i == 0 && &series == &all_.back();  // whether the series is that of s, which was added last
         const double limit = feed ? held.limit * (1 + in_.feed_tolerance) : held.limit;
         list.push_back(verify::make_check(differences_of(held), limit, series.worst[i]));
         const double order = static_cast<double>(i + 1),

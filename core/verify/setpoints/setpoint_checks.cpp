@@ -19,7 +19,7 @@ using verify::PieceRounding;
 using verify::rounding;
 using verify::Strained;
 
-/// Larger of two, not-a-number if either is.
+/// Returns the larger of two, not-a-number if either is.
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 class PathRows final : public RowCheck {
@@ -88,9 +88,9 @@ class PathRows final : public RowCheck {
     }
     const auto& blocks = in_.contour->blocks;
     while (way_block_ + 1 < blocks.size() && blocks[way_block_].last <= piece.segment) ++way_block_;
-    block_ = std::max(block_, way_block_);  // behind the rest at the path's end blocks do not decrease
+    block_ = std::max(block_, way_block_);  // blocks do not decrease behind the rest at the path's end
   }
-  /// Whether a piece that stands is at the place of that rest: a motion may also wait elsewhere.
+  /// Returns whether a piece that stands is at the place of that rest: a motion may also wait elsewhere.
   bool at_rest(const Rest& rest, const LawPiece& piece) const {
     if (rest.segment < path_.size()) return piece.segment >= rest.segment;
     const Segment& last = path_[path_.size() - 1];

@@ -76,7 +76,7 @@ std::string opening(const Slot& slot, const Frame& frame) {
       svg::segment(frame(o.middle - half), frame(o.middle + half),
                    std::string("stroke=\"") + look::opening + "\" stroke-width=\"2\" stroke-dasharray=\"5 3\"");
   if (slot.type != Slot::Type::stator) return out;
-  double wide = 0;  // of the slot at its tooth tips
+  double wide = 0;  // width of the slot at its tooth tips
   for (const Edge& edge : slot.iron.edges())
     for (const Point p : {edge.from, edge.to})
       if (std::abs(dot(p - o.middle, o.into)) < 1e-6) wide = std::max(wide, std::abs(dot(p - o.middle, along)));

@@ -119,8 +119,9 @@ std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const O
   const Upright upright(opening);
   const double half = needle.width / 2;
   const double x = needle.stand == Needle::Stand::middle ? 0 : needle.stand == Needle::Stand::left ? -half : half;
-  const double through = opening.clear / 2 - radius;  // how far from the middle a wire passes the opening
-  const double face = -opening.cover - radius;        // below this height the tooth tips do not obstruct
+  const double through =
+      opening.clear / 2 - radius;               // largest distance from the middle at which a wire passes the opening
+  const double face = -opening.cover - radius;  // height below which the tooth tips do not obstruct
   double tip = floor_of(usable_area, upright, opening, x - half + verify_margin, x + half - verify_margin);
   std::vector<Point> laid;
   std::vector<Interval> taken;

@@ -28,7 +28,7 @@ struct Needle {
 /// of points with given minimum separation, 1968], for more a lower bound by Oler's inequality for their centres, see
 /// core/winding/layout/count_bound.hpp.
 double bundle_diameter(std::size_t wires, double diameter);
-inline constexpr std::size_t exact_bundle = 7;  ///< most wires whose bundle_diameter is exact
+inline constexpr std::size_t exact_bundle = 7;  ///< largest number of wires whose bundle_diameter is exact
 
 struct Obstruction {
   enum class Part {

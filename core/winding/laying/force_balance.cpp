@@ -9,7 +9,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-constexpr double tolerance = 1e-6;  // in units of the forces on the wires
+constexpr double tolerance = 1e-6;  // tolerance in units of the forces on the wires
 
 }  // namespace
 

@@ -32,7 +32,8 @@ class ForceBalance {
     double residual = 0;      ///< largest unbalanced force on a wire
     double closing = 0;       ///< largest speed at which contacts close while wires slip, relative to `residual`
     std::size_t fastest = 0;  ///< the wire with the largest unbalanced force
-    /// After too many steps neither may hold: not balanced, and no proof of a slip.
+    /// Returns whether the wires certainly slip. After too many steps neither is certain: not balanced, and no proof of
+    /// a slip.
     bool proves_slip() const { return !balanced && closing <= 1e-6; }
   };
   /// Solves by conjugate gradients on changing sets of loaded contacts, O(contacts) a step. Reports `fraction` while it

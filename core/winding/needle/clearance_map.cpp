@@ -42,7 +42,7 @@ ClearanceMap clearance_map(const StatorPart& part, const Slot& slot, const Needl
   map.step = step;
   map.columns = static_cast<std::size_t>(std::ceil(size.x / step));
   map.rows = static_cast<std::size_t>(std::ceil(size.y / step));
-  // Symmetric about the slot's middle.
+  // The map is symmetric about the slot's middle.
   const double wide = step * static_cast<double>(map.columns);
   map.low = {(slot.iron.box().low.x + slot.iron.box().high.x - wide) / 2, slot.iron.box().low.y};
   map.values.reserve(map.columns * map.rows);

@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 // mm: margin of a moved tip beyond the required clearance, because links and lines come slightly nearer; and its
 // accuracy.
 constexpr double margin = 0.1, lack_exact = 1e-3;
-constexpr std::size_t units_per_tip = 400;  // of work for progress, per tip with its distances
+constexpr std::size_t units_per_tip = 400;  // units of work for progress, per tip with its distances
 
 double nearest_turn(double angle, double to) { return to + std::remainder(angle - to, 2 * pi); }
 
@@ -230,7 +230,7 @@ std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<
         to.phi = pose.phi + std::remainder(azimuth(to.tip) - azimuth(pose.tip), 2 * pi);
         return room(pose, to, *model.shape, {&iron, &wall});
       };
-      // Across a slot sideways, across an end cap along the part's axis.
+      // The tip moves sideways across a slot, along the part's axis across an end cap.
       const Vec3 across = slot ? radial(azimuth(p.begin) + pi / 2) : Vec3{0, 0, 1};
       FixedPiece piece;
       set_ends(piece, p, across, model, leading, standing, between, stage_progress);

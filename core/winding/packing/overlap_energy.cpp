@@ -9,7 +9,7 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double hopeless = 300;  // times the squared force: energy that a descent may still lose
-constexpr double skin = 0.35;     // of the distance: pairs are listed that much further than they act
+constexpr double skin = 0.35;     // part of the distance: pairs are listed that much further than they act
 
 /// Four independent sums avoid waiting for each addition.
 double product(std::span<const Point> a, std::span<const Point> b) {
@@ -193,7 +193,7 @@ Rest Minimiser::minimise(OverlapEnergy& overlap, std::vector<Point>& wires, doub
     }
     if (!lower) {
       if (kept == 0) break;
-      kept = 0;  // once more along the plain gradient
+      kept = 0;  // tries once more along the plain gradient
       continue;
     }
     std::vector<Point>&moved = step_[next], &turned = change_[next];

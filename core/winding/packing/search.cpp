@@ -9,7 +9,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-constexpr int steps = 600;  // of a minimisation
+constexpr int steps = 600;  // largest number of steps of a minimisation
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr std::size_t elite = 4;  // starts from which hops continue
 

@@ -60,7 +60,7 @@ std::vector<Coil> repeated(Coil coil, int slots, int step, std::size_t count, bo
 Slot checked_slot(const StatorPart& part);
 Slot checked_slot(const RotorPart& part);
 
-/// Diameter of a stator's bore, mm.
+/// Returns the diameter of a stator's bore, mm.
 double bore(const StatorPart& part);
 /// Returns the narrowest opening that wire and needle have to pass, mm: the opening between a stator's tooth tips, the
 /// gap between the coils of a rotor's neighbouring poles.

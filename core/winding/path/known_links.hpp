@@ -11,8 +11,8 @@
 
 namespace bahnwerk::winding {
 
-/// Whether `b` is `a` rotated about the z axis, or mirrored by a plane through it, to 1e-11: places relative to the
-/// distance of both ends, each derivative up to `continuity` relative to the first one. Angles of the needle do not
+/// Returns whether `b` is `a` rotated about the z axis, or mirrored by a plane through it, to 1e-11: places relative to
+/// the distance of both ends, each derivative up to `continuity` relative to the first one. Angles of the needle do not
 /// count.
 bool congruent(const LinkEnds& a, const LinkEnds& b, std::size_t continuity);
 

@@ -8,9 +8,9 @@
 namespace bahnwerk::winding {
 namespace {
 
-// Most evaluations of J; a start from the turn before gains nothing from more.
+// Largest numbers of evaluations of J; a start from the turn before gains nothing from more.
 constexpr std::size_t evaluations_from_a_neighbour = 250, evaluations_of_a_search = 250, evaluations_of_the_best = 1000;
-constexpr double far_rougher = 10;  // in J
+constexpr double far_rougher = 10;  // factor of J above the smoothest link's that counts as a cusp
 constexpr double loop = 1.5;        // rad: by what a loop turns more than a bend, at least
 constexpr double unusable = 1e12;   // J of a link that stands still somewhere
 
@@ -80,7 +80,7 @@ FoundLink LinkSearch::again(const LinkEnds& ends, const std::optional<FoundLink>
   return found.best.smoothness <= 1.5 * known->best.smoothness ? found : search(ends, objective, progress);
 }
 
-/// `seen` is J by the quadrature rule of the search.
+/// Searches with a quadrature rule; `seen` becomes J by that rule.
 FoundLink LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& start,
                          LinkObjective objective, std::size_t evaluations, Progress& progress, double& seen) const {
   FoundLink found{best_link(rule, ends, objective, options_.weights, start, progress, evaluations), objective, 0};
@@ -115,7 +115,7 @@ FoundLink LinkSearch::search(const LinkEnds& ends, LinkObjective objective, Prog
     found.emplace_back(turned_angle(link(options_.continuity, ends, best.shape)), best);
     smoothest = std::min(smoothest, best.smoothness);
   }
-  double least = unusable;  // of those that are no cusps
+  double least = unusable;  // least angle of those that are no cusps
   const auto usable = [&](const BestLink& each) { return each.smoothness <= far_rougher * smoothest; };
   for (const auto& [angle, each] : found)
     if (usable(each)) least = std::min(least, angle);

@@ -94,7 +94,7 @@ class Maker {
   using Both = std::array<Found, 2>;
   /// The passage of a post at the same place of the turn before.
   struct Passed {
-    std::optional<std::size_t> place;  ///< of PostPassage::beside(); none: the point was on the slot's radius
+    std::optional<std::size_t> place;  ///< place of PostPassage::beside(); none: the point was on the slot's radius
     bool exhausted = false;            ///< no place was enough
   };
 

@@ -11,8 +11,8 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double least_beside = 0.1;                      // mm, beyond the required clearance
-constexpr std::array beside_more = {0.0, 0.5, 1.0, 2.0};  // in needle's widths
-constexpr std::array along = {0.5, 1.0, 0.0};             // from the post's inner face to its outer one
+constexpr std::array beside_more = {0.0, 0.5, 1.0, 2.0};  // further distances in needle's widths
+constexpr std::array along = {0.5, 1.0, 0.0};             // places from the post's inner face to its outer one
 
 }  // namespace
 

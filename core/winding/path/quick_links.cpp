@@ -14,13 +14,13 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
-// Most calls of the timer: for a link unlike all others, for one similar to another link of its turn, and for later
-// turns.
+// Largest numbers of calls of the timer: for a link unlike all others, for one similar to another link of its turn, and
+// for later turns.
 constexpr std::size_t first_betas = 30, first_weights = 15, twin_betas = 20, twin_weights = 10, later_betas = 15;
-constexpr double rougher = 5;            // in J, at most
+constexpr double rougher = 5;            // largest factor of J
 constexpr double turn = 0.5;             // rad that the tangent may turn more
 constexpr double swing = 0.02;           // rad that an angle may go farther beyond those of both ends
-constexpr double worse = 0.002;          // by which a link of the turn before may save less than it did there
+constexpr double worse = 0.002;          // largest loss of a link's saving, compared with the turn before
 constexpr double most_log_weight = 1.5;  // ln of a weight
 
 /// Returns the largest excess of φ and ψ over their values at both ends, rad.
@@ -66,7 +66,7 @@ class Quickener {
     const NeedleLink& link;
     LinkVariables variables;
     std::vector<BezierPiece> window;
-    std::size_t at;  // of the link in it
+    std::size_t at;  // index of the link in `window`
     double smoothness, angle, swing;
     double best_time = unknown;
     Point best{};

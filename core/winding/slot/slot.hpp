@@ -45,7 +45,7 @@ struct RotorSlot {
   double height = 14.684;                  ///< h_N, of the pole beside the coil; only checked against base_width
 };
 
-/// Any simple polygon; the liner covers all of it.
+/// The outline is any simple polygon; the liner covers all of it.
 struct PolygonSlot {
   std::vector<Point> points;
   double liner = 0;

@@ -52,7 +52,7 @@ Point centroid(const Region& outline) {
 /// Finds both ends of the opening on the outline. The slot is the part with the larger area: the mouth between the ends
 /// may be drawn straight or as the bore's arc, which dips into the slot or, for a rotor, bulges out of it.
 Opening opening_of(const Region& iron, const std::array<Point, 2>& ends, double liner) {
-  constexpr double deepest_mouth = 0.5;  // of the opening's width, that the mouth may dip: half a circle
+  constexpr double deepest_mouth = 0.5;  // largest dip of the mouth, relative to the opening's width: half a circle
   const double clear = distance(ends[0], ends[1]);
   if (clear < 1e-6) SlotFaults().stop("opening", "its ends are the same");
   for (const Point end : ends)

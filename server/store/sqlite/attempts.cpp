@@ -34,7 +34,8 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
         if (!spec.step()) throw StoreError("store: a job without its spec", false);
         packed = spec.bytes(0);
         whole = spec.integer(1) != 0;
-        (connection.query("DELETE FROM chunks WHERE seq = ?") << seq).run();  // of an attempt that was lost
+        (connection.query("DELETE FROM chunks WHERE seq = ?") << seq)
+            .run();  // these are chunks of an attempt that was lost
         changes_.note(change, job->id, api::JobState::running);
       },
       Writer::row);

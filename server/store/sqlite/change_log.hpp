@@ -11,8 +11,8 @@ namespace bahnwerk::server {
 
 class SqliteConnection;
 
-/// Used by the writer's thread; listen from any. One writer commits one transaction after the other, so numbers become
-/// visible in their order; those of a failed transaction are not used again.
+/// Numbers of changes. The writer's thread uses them; any thread may call listen(). One writer commits one transaction
+/// after the other, so numbers become visible in their order; those of a failed transaction are not used again.
 class ChangeLog {
  public:
   void open(SqliteConnection& connection);  ///< continues after the last number in the database

@@ -27,7 +27,8 @@ std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_docume
   static const std::string light = std::string("SELECT ") + job_columns + " FROM jobs WHERE id = ?";
   static const std::string whole =
       std::string("SELECT ") + job_columns + ", spec, whole FROM jobs JOIN specs USING (seq) WHERE id = ?";
-  const std::uint64_t commits = writer_.commits();  // before the look, so that a change during it counts as later
+  const std::uint64_t commits =
+      writer_.commits();  // number before the look, so that a change during it counts as later
   Reader reader(*this);
   Query row = reader.query(with_document ? whole : light);
   row << id;

@@ -64,7 +64,7 @@ class SqliteStore final : public Store {
  private:
   class Reader;  ///< a borrowed reading connection
   static constexpr std::size_t max_expired_at_once =
-      256;  ///< most expired jobs per transaction, since others wait for it
+      256;  ///< largest number of expired jobs per transaction, since others wait for it
   Inserted insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; returns their jobs.
@@ -74,14 +74,14 @@ class SqliteStore final : public Store {
 
   SqliteOptions options_;
   FileLock lock_;
-  SqliteConnection connection_;  ///< the writer's
-  Reserve reserve_;              ///< the writer's
-  Uuid7 ids_;                    ///< the writer's
-  ChangeLog changes_;            ///< the writer's
+  SqliteConnection connection_;  ///< connection of the writer's thread
+  Reserve reserve_;              ///< reserve of the writer's thread
+  Uuid7 ids_;                    ///< ids of the writer's thread
+  ChangeLog changes_;            ///< change log of the writer's thread
   JobCache cache_;
   std::mutex readers_mutex_;
   std::vector<std::unique_ptr<SqliteConnection>> readers_;
-  Writer writer_;  ///< last: its thread ends before the members that it uses
+  Writer writer_;  ///< the last member: its thread ends before the members that it uses
 };
 
 }  // namespace bahnwerk::server

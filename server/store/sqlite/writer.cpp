@@ -30,7 +30,7 @@ bool says_full(const std::exception_ptr& error) {
 
 Writer::Writer(SqliteConnection& connection, Reserve& reserve, Hooks hooks)
     : connection_(connection), reserve_(reserve), hooks_(std::move(hooks)) {
-  full_ = reserve_.bytes() > 0;  // until it was looked
+  full_ = reserve_.bytes() > 0;  // the disk counts as full until it was looked at
   thread_ = std::thread([this] { loop(); });
 }
 
@@ -158,7 +158,7 @@ void Writer::commit(std::deque<Item>& group) {
   }
   for (Item& item : group) {
     if (item.done) item.done(error);
-    item = {};  // its captures are destroyed before the next group is awaited
+    item = {};  // the item's captures are destroyed before the next group is awaited
   }
 }
 

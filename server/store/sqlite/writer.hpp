@@ -19,11 +19,11 @@ class Writer {
  public:
   /// A work may run more than once: when a group fails, each of its works is tried alone, in a transaction of its own.
   using Work = std::function<void(SqliteConnection&)>;
-  /// Called once after the commit (nullptr) or with the error; on the writer's thread, so it must be quick.
+  /// Receives nullptr once after the commit, or the error; it runs on the writer's thread, so it must be quick.
   using Done = std::function<void(std::exception_ptr)>;
   /// Receives every commit: seconds, works in it.
   using Observer = std::function<void(double, std::size_t)>;
-  /// Called on the writer's thread: before a transaction begins, and after it was committed, before its works' Done.
+  /// Callbacks on the writer's thread: before a transaction begins, and after it was committed, before its works' Done.
   struct Hooks {
     std::function<void()> begin;
     Observer committed;
@@ -45,8 +45,8 @@ class Writer {
   /// without a transaction around it. It may run twice when the disk is full.
   void outside(const Work& work);
 
-  /// Whether the disk was full at the last write, or the reserve is used up. It becomes false within about a second
-  /// after there is room.
+  /// Returns whether the disk was full at the last write, or the reserve is used up. It becomes false within about a
+  /// second after there is room.
   bool full() const { return full_ || !reserve_.held(); }
   /// Increases with every commit, before it is reported: a value read at one count is current as long as the count is
   /// unchanged.
@@ -57,7 +57,7 @@ class Writer {
     Work work;
     Done done;
     Bytes adds = 0;
-    bool outside = false;  ///< outside of any transaction: a group of its own
+    bool outside = false;  ///< whether the work runs outside of any transaction, as a group of its own
   };
   enum class Room { enough, with_reserve, none };
   void loop();

@@ -19,7 +19,7 @@ Vec place(const std::vector<Strand>& strands, std::size_t end) {
   const Strand& s = strands[end / 2];
   return end % 2 == 0 ? s.from : s.to;
 }
-/// The tangent there, out of the strand.
+/// Returns the unit tangent at an end, pointing out of the strand.
 Vec outward(const std::vector<Strand>& strands, std::size_t end) {
   const Strand& s = strands[end / 2];
   return end % 2 == 0 ? -s.from_direction : s.to_direction;
@@ -29,12 +29,12 @@ struct Pair {
   std::uint32_t cost, a, b;
 };
 
-/// Coincident ends by their turn in µrad, then gaps by their width.
+/// Coincident ends come first, by their turn in µrad, then gaps by their width.
 std::uint32_t cost(const std::vector<Strand>& strands, std::size_t a, std::size_t b, double distance,
                    double tolerance) {
   constexpr double gap = 4e6, resolution = 1e6;
   const double shorter = std::min(strands[a / 2].length, strands[b / 2].length);
-  // For strands shorter than the tolerance the ends of the next but one are near, too: those are gaps.
+  // Strands shorter than the tolerance have the ends of the next but one near, too: those are gaps.
   const bool coincident = distance <= std::min(0.1 * tolerance, 0.5 * shorter) || distance == 0;
   return static_cast<std::uint32_t>(
       coincident ? std::round(resolution * angle_between(outward(strands, a), -outward(strands, b)))
@@ -93,7 +93,7 @@ std::vector<StrandChain> chains(const std::vector<Strand>& strands, double toler
     reading.work();
     if (used[first]) continue;
     StrandChain chain;
-    // Back to where the chain begins, or round to `first` again.
+    // The walk goes back to where the chain begins, or round to `first` again.
     std::size_t begin = 2 * first;  // the end by which a strand is entered
     while (partner[begin] != none) {
       begin = partner[begin] ^ 1U;

@@ -14,7 +14,7 @@ class Progress;
 
 /// Consecutive curves that become one block.
 struct Cut {
-  std::vector<Drawn> curves;       ///< consecutive; ends may miss each other by the chaining tolerance
+  std::vector<Drawn> curves;       ///< consecutive curves; ends may miss each other by the chaining tolerance
   std::vector<std::size_t> lines;  ///< line of the file in which each curve begins
   bool closed = false;
 };

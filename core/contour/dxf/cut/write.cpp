@@ -8,7 +8,7 @@
 namespace bahnwerk {
 namespace {
 
-/// Long enough for an end to be moved by `gap` without changing its shape visibly.
+/// Returns whether the curve is long enough for an end to be moved by `gap` without changing its shape visibly.
 bool movable(const Drawn& curve, double gap) {
   double size = 0;
   if (const auto* arc = std::get_if<DrawnArc>(&curve); arc != nullptr && arc->circular())
@@ -75,7 +75,7 @@ void write_spline(ContourBuilder& builder, DrawnSpline spline, Vec end, Progress
       const double share = sum / (static_cast<double>(p) * range);
       spline.points[i] += (1 - share) * at_first + share * at_last;
     }
-    // Clamped ends exactly, without the rounding above.
+    // Clamped ends are exact, without the rounding above.
     if (spline.knots[1] == spline.knots[p]) spline.points.front() = builder.position();
     if (spline.knots[n] == spline.knots[n + p - 1]) spline.points.back() = end;
   }
@@ -104,7 +104,7 @@ void write_cut(ContourBuilder& builder, const Cut& cut, GapReport& gaps, Progres
       bridge(first);
     else if (gap >= min_segment_length)
       ++gaps.moved;
-    // Where the next curve cannot be changed this one is, and at the end of a closed cut it is moved to the start.
+    // If the next curve cannot be changed, this one is, and at the end of a closed cut it is moved to the start.
     Vec end = last;
     if (i + 1 < n) {
       const Vec next = first_point(cut.curves[i + 1]);

@@ -106,7 +106,7 @@ class BinaryReading {
     }
   }
 
-  /// Up to the next zero; whether it is EOF.
+  /// Reads up to the next zero; returns whether the text is EOF.
   bool string() {
     const std::size_t end = bytes_.find('\0', at_);
     if (end == std::string_view::npos) refuse("this is a binary DXF file that is cut off");

@@ -55,7 +55,7 @@ class Reader {
  private:
   /// Properties that an INSERT applies to its entities.
   struct Inherited {
-    std::string_view layer;  ///< for entities on layer 0; empty at the top
+    std::string_view layer;  ///< layer of entities on layer 0; empty at the top
     bool off = false;        ///< whether that layer is switched off
   };
   struct Occurrence {
@@ -89,14 +89,14 @@ class Reader {
     }
   }
 
-  /// For drawings that were made on a sheet: model space holds no curve at all. The sheet shown last stands among the
-  /// entities, the others are blocks; the first one that holds something is read.
+  /// Reads a drawing that was made on a sheet: its model space holds no curve at all. The sheet shown last stands among
+  /// the entities, the others are blocks; the first one that holds something is read.
   void paper_space(const Affine& to_mm) {
     std::map<std::size_t, std::pair<std::string, DxfTags::Mark>> sheets;  // keys are lines
     for (const auto& [name, place] : file_.blocks)
       if (name.starts_with("*paper_space")) sheets.emplace(place.line, std::pair{name, place.first});
     space_ = Space::paper;
-    blocks_.clear();  // so that their entities in paper space are read, too
+    blocks_.clear();  // cleared so that their entities in paper space are read, too
     const auto model = noted_;
     const auto holds_something = [&](DxfTags::Mark first, const std::string& name) {
       noted_ = model;
@@ -119,7 +119,7 @@ class Reader {
     if (o.count++ == 0) o.line = line;
   }
 
-  /// Every step of the work, so that neither cancelling nor blocks in blocks in blocks take long.
+  /// Counts every step of the work, so that neither cancelling nor blocks in blocks in blocks take long.
   void count() { tags_.progress().work(4); }
 
   bool has_curves(std::string_view type) const { return dxf_has_curves(type) || (type == "HATCH" && reading_.hatch); }
@@ -168,7 +168,7 @@ class Reader {
     return {entity.common.layer, layers_[entity.common.layer].state.off};
   }
 
-  /// Whether the entity is shown; adds a note if not. For an INSERT only a frozen layer hides everything.
+  /// Returns whether the entity is shown; adds a note if not. For an INSERT only a frozen layer hides everything.
   bool shown(const Entity& entity, const Inherited& inherited) {
     const Inherited own = layer_of(entity, inherited);
     const DxfLayers::Layer& layer = layers_[own.layer];
@@ -194,7 +194,7 @@ class Reader {
       place(std::move(entity.shape), entity.line, map);
   }
 
-  /// Into mm and into the drawing.
+  /// Converts a curve into mm and adds it to the drawing.
   void place(DxfShape shape, std::size_t line, const Affine& map) {
     dropped_ += shape.without_length;
     if (dropped_line_ == 0 && shape.without_length > 0) dropped_line_ = line;

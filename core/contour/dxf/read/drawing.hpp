@@ -17,8 +17,9 @@ class Progress;
 struct DxfReading {
   std::vector<std::string> layers;             ///< the only layers to read, case-insensitive; empty: all
   std::optional<double> millimetres_per_unit;  ///< replaces the file's unit
-  std::size_t max_curves = 2'000'000;          ///< most curves, with blocks resolved; a drawing with more is refused
-  bool hatch = false;                          ///< whether the outlines of HATCH are drawn
+  std::size_t max_curves =
+      2'000'000;       ///< largest number of curves, with blocks resolved; a drawing with more is refused
+  bool hatch = false;  ///< whether the outlines of HATCH are drawn
 };
 
 /// An entity of the drawing as consecutive curves.
@@ -29,7 +30,7 @@ struct DxfStrand {
 
 /// The result of reading.
 struct DxfDrawing {
-  std::vector<DxfStrand> strands;  ///< in the order of the file; each has a length
+  std::vector<DxfStrand> strands;  ///< strands in the order of the file; each has a length
   std::vector<std::string> notes;
 };
 

@@ -20,7 +20,7 @@ DxfShape line(const DxfRecord& record) {
   return {{line}, 0, {}};
 }
 
-/// ARC and CIRCLE.
+/// Reads ARC and CIRCLE.
 DxfShape circle(const DxfRecord& record, bool full) {
   Vec centre, normal{0, 0, 1};
   double radius = 0, start = 0, end = 360;

@@ -32,18 +32,18 @@ struct DxfInsert {
 
 /// The curves of an entity.
 struct DxfShape {
-  std::vector<Drawn> curves;       ///< consecutive
+  std::vector<Drawn> curves;       ///< consecutive curves
   std::size_t without_length = 0;  ///< dropped parts without length
   std::string note;                ///< a remark of the reader; may be empty
 };
 
-/// Whether the type is LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
+/// Returns whether the type is LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
 bool dxf_has_curves(std::string_view type);
 /// Reads an entity. `tags` is positioned behind `record`; the vertices of a POLYLINE are read from it.
 DxfShape dxf_shape(const DxfRecord& record, DxfTags& tags);
 DxfInsert dxf_insert(const DxfRecord& record);
 
-/// The parts of dxf_shape(), each in its own file.
+/// Read the parts of dxf_shape(), each in its own file.
 DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags);
 DxfShape dxf_lightweight_polyline(const DxfRecord& record, DxfTags& tags);
 DxfShape dxf_spline(const DxfRecord& record, DxfTags& tags);

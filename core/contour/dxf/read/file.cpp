@@ -59,13 +59,13 @@ std::string dxf_lower(std::string_view name) {
 }
 
 std::optional<double> dxf_unit(long code) {
-  // none, inch, foot, mile; mm, cm, m, km; microinch, mil, yard; ångström, nm, µm; dm, dam, hm; Gm, astronomical unit,
-  // light year, parsec; US survey foot, inch, yard, mile
+  // Units in the order of their codes: none, inch, foot, mile; mm, cm, m, km; microinch, mil, yard; ångström, nm, µm;
+  // dm, dam, hm; Gm, astronomical unit, light year, parsec; US survey foot, inch, yard, mile.
   constexpr double foot = 1200000.0 / 3937;
   constexpr std::array<double, 21> unit{0,    25.4, 304.8, 1609344, 1,   10,  1e3, 1e6, 2.54e-5, 0.0254, 914.4,
                                         1e-7, 1e-6, 1e-3,  100,     1e4, 1e5, 0,   0,   0,       0};
   constexpr std::array<double, 4> survey{foot, foot / 12, 3 * foot, 5280 * foot};
-  const auto i = static_cast<std::size_t>(code);  // beyond all for negative ones
+  const auto i = static_cast<std::size_t>(code);  // index; beyond all units for negative codes
   if (i >= unit.size() && i - unit.size() < survey.size()) return survey[i - unit.size()];
   if (i >= unit.size() || unit[i] == 0) return {};
   return unit[i];

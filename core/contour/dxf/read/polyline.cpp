@@ -7,7 +7,7 @@
 namespace bahnwerk {
 namespace {
 
-/// Below this an arc is straight to 5e-4 mm even over a chord of 1e9 mm.
+/// An arc of a smaller bulge is straight to 5e-4 mm even over a chord of 1e9 mm.
 constexpr double straight = 1e-12;
 
 constexpr const char* wide = "a polyline with a width: its centre line was taken";

@@ -22,7 +22,7 @@ DrawnSpline through(std::vector<Vec> p, bool closed, Vec start_tangent, Vec end_
   for (std::size_t i = 0; i < spans; ++i) h[i] = norm(p[i + 1] - p[i]);
   const std::size_t n = closed ? spans : spans + 1;  // unknown slopes
   Tridiagonal matrix(n);
-  std::vector<Vec> slope(n);  // at first the right side
+  std::vector<Vec> slope(n);  // slopes; at first the right side of their system
   for (std::size_t i = 0; i < n; ++i) {
     if (!closed && (i == 0 || i == spans)) {
       const Vec tangent = i == 0 ? start_tangent : end_tangent;

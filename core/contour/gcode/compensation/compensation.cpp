@@ -57,7 +57,7 @@ void Compensation::dwell(Mode mode, double seconds) {
   happens({Event::Kind::dwell, how, seconds});
 }
 
-/// Happens at once if no move is pending.
+/// Stores an event until the pending move is written; without one it happens at once.
 void Compensation::happens(const Event& event) {
   events_.push_back(event);
   if (state_ == State::leads_out || (!last_ && !lead_)) happen();
@@ -115,7 +115,7 @@ void Compensation::spline(Vec to, Vec first, std::optional<Vec> second) {
   offset(to, true);
 }
 
-/// The next move is known: the pending one is written.
+/// Writes the pending move, since the next one is known; that one is then pending.
 void Compensation::add(Move move) {
   const std::size_t now = mover_.builder().line();
   if (!last_)
@@ -234,7 +234,7 @@ void Compensation::corner(Move& next) {
   if (!inside && std::abs(angle) >= tangent) round(a.corner_to, b.from, next.manner);
 }
 
-/// Round an outside corner of the contour.
+/// Adds the move round an outside corner of the contour.
 void Compensation::round(Vec corner, Vec to, const Manner& manner) {
   const Vec from = flat(mover_.position());
   const double z = mover_.position().z;
@@ -283,7 +283,7 @@ void Compensation::happen() {
   mover_.builder().at_line(now);
 }
 
-/// No further move trims the last one.
+/// Writes the last move, which no further one trims.
 void Compensation::flush() {
   const std::size_t now = mover_.builder().line();
   if (last_) {

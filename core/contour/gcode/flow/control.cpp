@@ -69,7 +69,7 @@ bool Control::execute(const Line& line) {
     case Flow::next:
       if (!ends(line, line.arguments)) return false;
       break;
-    default:  // with values behind it
+    default:  // statements with values behind them
       break;
   }
   switch (line.flow) {
@@ -155,7 +155,7 @@ bool Control::repeat(const Line& line, std::size_t index) {
   if (line.flow == Flow::repeat) {
     double times = 0;
     if (!condition(line, times)) return false;
-    loops_.erase(under_way, loops_.end());  // left by break, or otherwise
+    loops_.erase(under_way, loops_.end());  // loops that were left by break, or otherwise
     times = std::floor(times + 1e-6);
     if (times < 1)
       lines_.go(end);

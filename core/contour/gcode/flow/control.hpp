@@ -43,10 +43,10 @@ class Control {
   /// Executes M99; returns false in the main program.
   bool back();
 
-  /// Whether the end of the text was reached inside a subprogram.
+  /// Returns whether the end of the text was reached inside a subprogram.
   bool inside() const { return !frames_.empty(); }
   std::size_t depth() const { return frames_.size(); }  ///< number of active subprograms
-  /// Whether M98 has called the subprogram that begins in this line.
+  /// Returns whether M98 has called the subprogram that begins in this line.
   bool called(const Line& line) const {
     return std::find(called_.begin(), called_.end(), line.number) != called_.end();
   }
@@ -84,7 +84,7 @@ class Control {
   Parameters& parameters_;
   Lines& lines_;
   Progress& progress_;
-  std::optional<Outline> outline_;  // made on first use
+  std::optional<Outline> outline_;  // outline of the program, made on first use
   std::vector<Frame> frames_;
   std::vector<Loop> loops_;              // active repeats
   std::vector<std::size_t> called_;      // lines of the numbered subprograms that were called

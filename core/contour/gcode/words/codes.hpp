@@ -60,11 +60,11 @@ struct Code {
 
 /// Returns the meaning of ten times a G word: G5.1 is 51. Unknown words are refused.
 Code meaning(int tenfold);
-/// Whether the G word takes words of its line: coordinates, a time, an offset.
+/// Returns whether the G word takes words of its line: coordinates, a time, an offset.
 bool takes_words(int tenfold);
-/// Whether this reader interprets the M word. The words behind another M word in its line belong to that word.
+/// Returns whether this reader interprets the M word. The words behind another M word in its line belong to that word.
 bool known_m(int m);
-/// Whether it is an M word of printers' firmware that a machine tool does not have.
+/// Returns whether it is an M word of printers' firmware that a machine tool does not have.
 bool printer_m(int m);
 /// Returns the effect of such a word on the motion, for its note; null if it has none.
 const char* printer_effect(int m);

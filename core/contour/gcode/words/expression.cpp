@@ -190,7 +190,7 @@ bool Expression::function(double& result) {
   return fail("there is no function " + std::string(name));
 }
 
-/// ATAN[y]/[x], within ±180°.
+/// Reads ATAN[y]/[x], within ±180°.
 bool Expression::atan(double& result) {
   double x = 0;
   if (!next_is('/') || !next_is('[')) return fail("ATAN has two values: ATAN[y]/[x]");
@@ -207,7 +207,7 @@ bool Expression::exists(double& result) {
   return true;
 }
 
-/// Behind [.
+/// Reads an expression after its [, up to the ].
 bool Expression::brackets(double& result) {
   if (!operation(result, 1)) return false;
   return next_is(']') || fail("an expression does not end: ] is missing");
@@ -226,7 +226,7 @@ int Expression::operator_here(std::size_t& length) const {
   return -1;
 }
 
-/// Operators of this rank and above; equal ones from the left.
+/// Reads operators of this rank and above; equal ones are evaluated from the left.
 bool Expression::operation(double& result, int rank) {
   if (!value(result)) return false;
   for (;;) {

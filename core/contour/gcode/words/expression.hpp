@@ -26,7 +26,7 @@ class Expression {
   /// A parameter by number or by name.
   struct Reference {
     int number = 0;
-    std::string name;  ///< empty: by number
+    std::string name;  ///< name of the parameter; empty: it has a number
   };
   bool reference(Reference& result);
   /// Reads the name between < and >.

@@ -30,7 +30,7 @@ bool Lines::foreign_word(Line& line) {
   return true;
 }
 
-/// Its words are not those of a move.
+/// The words of such a code are not those of a move.
 void Lines::give_up_foreign(Line& line) {
   const auto last = line.g.begin() + static_cast<std::ptrdiff_t>(line.g_count);
   if (std::any_of(line.g.begin(), last, takes_words))

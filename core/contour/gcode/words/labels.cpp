@@ -63,7 +63,8 @@ bool Lines::next_label(Line& line) {
   return true;
 }
 
-/// Behind the letter O: a number or a name, and what it does. False: nothing more of the line is to be read.
+/// Reads what follows the letter O: a number or a name, and what it does. Returns false if nothing more of the line is
+/// to be read.
 bool Lines::label(Line& line) {
   line.letters_ |= letters("O");
   line.values_['O' - 'A'] = 0;
@@ -119,7 +120,7 @@ const char* Lines::line_end() {
   return line_end_;
 }
 
-/// Behind a #.
+/// Reads an assignment after its #.
 bool Lines::assignment(Line& line) {
   if (parameters_ == nullptr) {
     line.fault = no_parameters;
@@ -143,7 +144,7 @@ bool Lines::assignment(Line& line) {
   return line.fault.empty();
 }
 
-/// A value that is no plain number.
+/// Reads a value that is no plain number.
 bool Lines::computed(Line& line, double& value) {
   if (parameters_ == nullptr) {
     line.fault = no_parameters;

@@ -10,7 +10,7 @@ namespace bahnwerk::gcode {
 enum class ExponentReading {
   word,      ///< a separate word E
   exponent,  ///< part of the number
-  unclear,   ///< ambiguous
+  unclear,   ///< the text is ambiguous
 };
 
 /// Classifies e or E behind a number. `mantissa` are the digits and the point before it, `rest` the text from e or E to

@@ -19,7 +19,7 @@ class SystemParameters {
   /// Returns nothing if this reader does not know the parameter.
   virtual std::optional<double> system_parameter(int number) const = 0;
   virtual std::optional<double> predefined(std::string_view name) const = 0;
-  /// Whether it is a name of LinuxCNC whose value only the machine knows.
+  /// Returns whether it is a name of LinuxCNC whose value only the machine knows.
   virtual bool of_the_machine(std::string_view name) const = 0;
 };
 
@@ -28,7 +28,7 @@ class Parameters {
  public:
   static constexpr int most = 9999, locals = 30;  ///< #1 … #30 belong to a subprogram
   static constexpr int position_first = 5021, system_first = 5161, system_last = 5602;
-  static constexpr std::size_t max_names = 10'000;  ///< most names in all active subprograms together
+  static constexpr std::size_t max_names = 10'000;  ///< largest number of names in all active subprograms together
 
   explicit Parameters(const SystemParameters& system) : system_(system) {}
 
@@ -41,7 +41,7 @@ class Parameters {
   void set(int number, double value);
   /// Names are in lower case without blanks; those that begin with _ are global.
   std::optional<double> get(std::string_view name, std::size_t line) const;
-  /// Whether the name belongs to the control: predefined ones with a value.
+  /// Returns whether the name belongs to the control: predefined ones with a value.
   bool kept(std::string_view name) const;
   bool of_the_machine(std::string_view name) const { return system_.of_the_machine(name); }
   /// Returns false if there are too many names.

@@ -189,7 +189,7 @@ bool Lines::word(Line& line, char letter) {
   return true;
 }
 
-/// Behind its number. M words with a decimal are only printers'.
+/// Reads a G or M code after its number. M words with a decimal are only printers'.
 bool Lines::code(Line& line, char letter, double value) {
   const bool m = letter == 'M';
   const double scaled = 10 * value, tenfold = std::round(scaled);
