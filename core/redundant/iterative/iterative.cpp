@@ -45,7 +45,7 @@ class Planner {
     if (options_.window) result_.slowed = split_.slowed(), result_.passes = split_.passes();
     result_.iterations = result_.passes.size();
     if (!found || law_.duration() > split_.alone().duration(0, sections().size())) {
-      RedundancyResult other = fallback();
+      RedundancyResult other = fallback(found ? law_.duration() : 0);
       if (!found || other.head->duration() < law_.duration()) return other;
     }
     result_.coarse_jerk_limited = options_.degree - options_.knot_multiplicity >= 2;
@@ -188,29 +188,36 @@ class Planner {
     for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k].append(part.coarse[k], t, law_.duration());
   }
 
-  RedundancyResult fallback() const {
+  /// `own`: s, what the method's own motion takes; 0: it found none.
+  RedundancyResult fallback(double own) const {
     RedundancyResult other = coarse_alone();
+    std::string used = coarse_axes_alone;
     const bool centred = std::any_of(task_.machine.axes.begin(), task_.machine.axes.end(),
                                      [](const CoarseFineAxis& axis) { return axis.centred; });
-    if (!centred) take_quicker_joint(other);  // which leaves open where fine axes stand at rest
-    other.fallbacks = 1;
+    if (!centred && take_quicker_joint(other))  // which leaves open where fine axes stand at rest
+      used = other.gave_way.empty() ? planner_name(RedundancyMethod::joint) : other.gave_way.back().used;
+    other.gave_way = {{planner_name(RedundancyMethod::iterative), own > 0 ? GivingWay::slower : GivingWay::no_motion,
+                       own, used, other.head->duration()}};
     other.fastest = result_.fastest;
     other.passes = result_.passes;
     other.iterations = other.passes.size();
     return other;
   }
 
-  void take_quicker_joint(RedundancyResult& other) const {
+  /// Returns whether `other` is the joint planner's motion now.
+  bool take_quicker_joint(RedundancyResult& other) const {
     try {
       RedundancyOptions options = options_;
       options.method = RedundancyMethod::joint;
       options.compare = false;
       RedundancyResult joint = plan_joint_method(task_, options, progress_, to_, to_);
-      // With limited jerk the coarse axes alone cannot follow jumps of curvature.
-      if (!task_.machine.limits_jerk() && !(joint.head->duration() < other.head->duration())) return;
+      // With limited jerk the joint planner's motion takes jumps of curvature with the fine axes.
+      if (!task_.machine.limits_jerk() && !(joint.head->duration() < other.head->duration())) return false;
       other = std::move(joint);
       other.notes.push_back("the iterative method found no valid split; the joint planner planned the contour");
+      return true;
     } catch (const Infeasible&) {  // the coarse axes alone, then
+      return false;
     }
   }
 

@@ -239,6 +239,24 @@ TEST(CoarseFine, TheSummaryTellsTheMeanOfAccelerations) {
   }
 }
 
+/// A filter that is too slow leaves nearly all of the motion to fine axes that are slow, too.
+TEST(CoarseFine, TheSummaryTellsWhatGaveWay) {
+  json spec = example("coarse_fine");
+  EXPECT_FALSE(planned(spec).result["summary"].contains("gave_way"));
+  spec["contour"] = {{"points", {{0, 0}, {600, 200}}}};
+  spec["planning"] = json::object();
+  for (json& axis : spec["machine"]["fine"]) axis["velocity"] = 5;
+  spec["machine"]["redundancy"] = {{"method", "filter"}, {"taps", 301}, {"cutoff", 0.1}};
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified);
+  const auto& table = job.result["summary"]["gave_way"];
+  ASSERT_EQ(table.size(), 1u);
+  EXPECT_EQ(table.size(), job.result["details"]["redundancy"]["fallbacks"]);
+  EXPECT_EQ(table[0]["planner"], "filter");
+  EXPECT_EQ(table[0]["used"], "joint");
+  EXPECT_EQ(table[0]["used_duration"], job.result["summary"]["duration"]);
+}
+
 TEST(CoarseFine, FineAxesAreCentredWhereTheDocumentAsksForIt) {
   json spec = example("coarse_fine");
   for (const char* axis : {"x", "y"}) spec["machine"]["fine"][axis]["at_rest"] = "centred";

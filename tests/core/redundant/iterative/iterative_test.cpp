@@ -23,7 +23,7 @@ TEST(Iterative, TheQuadraticProgramHardlyLosesAnythingOnSmallContours) {
   const RedundancyTask task = test::redundancy_task(test::small_contours(), test::md2());
   const RedundancyResult r = plan_by_iterations(task, {});
   expect_valid_split(task, r);
-  EXPECT_EQ(r.fallbacks, 0u);
+  EXPECT_EQ(r.gave_way.size(), 0u);
   EXPECT_LE(r.head->duration(), 1.003 * r.fastest);
   EXPECT_GE(r.head->duration(), r.fastest - 1e-12);
   ASSERT_EQ(r.passes.size(), r.iterations);
@@ -64,7 +64,7 @@ TEST(Iterative, RandomContoursEndValidWithEveryMethod) {
           if (windows) o.window = RedundancyOptions::Window{6, 2};
           const RedundancyResult r = plan_by_iterations(task, o);
           expect_valid_split(task, r);
-          own += r.fallbacks == 0;
+          own += r.gave_way.empty();
           ++all;
         }
   }
@@ -98,7 +98,7 @@ TEST(Iterative, LimitedJerkIsHeldByItsFallbackToo) {
   none.max_iterations = 0;
   SilentProgress progress;
   const RedundancyResult r = plan_iterative(task, {}, none, progress, 0, 1);
-  EXPECT_EQ(r.fallbacks, 1u);
+  EXPECT_EQ(r.gave_way.size(), 1u);
   expect_valid_split(task, r);
 }
 
@@ -109,7 +109,7 @@ TEST(Iterative, WindowsAreJoinedInMotion) {
   o.window = RedundancyOptions::Window{20, 5};
   const RedundancyResult r = plan_by_iterations(task, o);
   expect_valid_split(task, r);
-  EXPECT_EQ(r.fallbacks, 0u);
+  EXPECT_EQ(r.gave_way.size(), 0u);
   EXPECT_LE(r.head->duration(), 1.01 * whole);
   // Somewhere the head rests while the coarse axes go on.
   bool moving = false;
@@ -126,7 +126,7 @@ TEST(Iterative, ThinnedSamplesKeepTheStroke) {
     o.thinning = thinning;
     const RedundancyResult r = plan_by_iterations(task, o);
     expect_valid_split(task, r);
-    EXPECT_EQ(r.fallbacks, 0u);
+    EXPECT_EQ(r.gave_way.size(), 0u);
   }
   o.thinning = 100;  // 0.1 s apart: the fine axis could be anywhere in between
   EXPECT_THROW(plan_by_iterations(task, o), InvalidInput);
