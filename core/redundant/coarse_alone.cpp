@@ -21,9 +21,9 @@ RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyO
   law.corner_angle = options.corner_angle;
   law.keep_reserve = options.keep_reserve;
   law.braking_reserve = options.braking_reserve;
-  // The fine axes stand, so the coarse ones take every step of the tool's velocity: they rest at all of them.
+  // The fine axes stand, so the coarse ones take small steps of the tool's velocity as those of any machine do.
   const Machine coarse = coarse_machine(task.machine, 1 - margin);
-  const PathTask path{*task.path, coarse, task.feeds, rests_at_jumps(*task.path, task.rests, 1), task.dwells};
+  const PathTask path{*task.path, coarse, task.feeds, task.rests, task.dwells};
   RedundancyResult alone;
   alone.head = std::make_shared<const PathMotion>(
       task.path, with_dwells(plan_acceleration_limited(path, law, progress, at, at).law, path, progress, at));
@@ -51,7 +51,7 @@ RedundancyResult quicker_than_coarse_alone(RedundancyResult found, const Redunda
   found.lags.clear();
   found.slowed.clear();
   found.slowed_count = 0;
-  found.fallbacks += 1;
+  found.gave_way.push_back({planner_name(options.method), GivingWay::slower, own, coarse_axes_alone, other});
   found.notes.emplace_back(note);
   RedundancyIteration last;
   last.duration = other;

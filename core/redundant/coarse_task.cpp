@@ -19,17 +19,18 @@ Rounding rounding_at(const AxisPath& path, std::size_t segment, const AxisJet& q
   double far = 0, square = 0;
   for (std::size_t k = 0; k < path.axes(); ++k) far += std::abs(q.value[k]), square += q.d2[k] * q.d2[k];
   const double length = path[segment].length(), curvature = std::sqrt(square), turn = 1 / length + curvature;
-  const double off = rounding * (far + length + (curvature > 0 ? 2 / curvature : 0));
+  const bool arc = path[segment].curve().kind() == CurveKind::arc;  // its points are computed from its centre
+  const double off = rounding * (far + length + (arc && curvature > 0 ? 2 / curvature : 0));
   return {off * turn, off * turn * turn};
 }
 
-bool derivatives_jump(const AxisPath& path, std::size_t segment, int derivatives) {
+bool derivatives_jump(const AxisPath& path, std::size_t segment) {
   const AxisJet before = path.at_parameter(segment - 1, path[segment - 1].curve().end()),
                 after = path.at_parameter(segment, path[segment].curve().begin());
   const Rounding left = rounding_at(path, segment - 1, before), right = rounding_at(path, segment, after);
   for (std::size_t k = 0; k < path.axes(); ++k)
     if (!(std::abs(after.d1[k] - before.d1[k]) <= left.tangent + right.tangent &&
-          (derivatives < 2 || std::abs(after.d2[k] - before.d2[k]) <= left.curvature + right.curvature)))
+          std::abs(after.d2[k] - before.d2[k]) <= left.curvature + right.curvature))
       return true;
   return false;
 }
@@ -45,8 +46,8 @@ Machine coarse_machine(const CoarseFineMachine& machine, double share) {
   return coarse;
 }
 
-std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests, int derivatives) {
-  for (std::size_t i = 1; i < path.size(); ++i) rests[i] = rests[i] || derivatives_jump(path, i, derivatives);
+std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests) {
+  for (std::size_t i = 1; i < path.size(); ++i) rests[i] = rests[i] || derivatives_jump(path, i);
   return rests;
 }
 
@@ -78,14 +79,9 @@ bool within_coarse_range(const AxisPath& path, const CoarseFineMachine& machine,
   return beyond_coarse_range(path, machine, part).empty();
 }
 
-JointTask resting_at_jumps(JointTask task) {
-  task.rests = rests_at_jumps(*task.path, std::move(task.rests), task.machine.limits_jerk() ? 2 : 1);
-  return task;
-}
-
 JointTask without_fine_axes(JointTask task) {
   for (CoarseFineAxis& axis : task.machine.axes) axis = coarse_alone(axis);
-  return resting_at_jumps(std::move(task));
+  return task;
 }
 
 }  // namespace bahnwerk

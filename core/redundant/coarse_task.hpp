@@ -12,11 +12,11 @@ namespace bahnwerk {
 /// Returns `share` (0 … 1) of the coarse axes' own limits as a machine with the machine's axis names.
 Machine coarse_machine(const CoarseFineMachine& machine, double share);
 
-/// Returns `rests` (one entry per segment: rest at its begin) with additional rests wherever the first derivatives of
-/// the axes jump between segments; with `derivatives` = 2 also wherever the second ones jump. A jump counts if it
-/// exceeds what rounding of the segments' points can cause: with size = distance from zero + length + 2 radii that is
-/// 32 ε size (1/length + 1/radius) for the first derivative and (1/length + 1/radius) times as much for the second.
-std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests, int derivatives);
+/// Returns `rests` (one entry per segment: rest at its begin) with additional rests wherever first or second
+/// derivatives of the axes jump between segments. A jump counts if it exceeds what rounding of the segments' points can
+/// cause: with size = distance from zero + length + an arc's diameter that is 32 ε size (1/length + curvature) for the
+/// first derivative and (1/length + curvature) times as much for the second.
+std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests);
 
 /// Returns the indices of the axes whose coordinate of the tool's path leaves the range that within_coarse_range()
 /// checks.
@@ -25,10 +25,8 @@ std::vector<std::size_t> beyond_coarse_range(const AxisPath& path, const CoarseF
 /// 0 the coarse axes can do the whole motion alone. Curved segments are sampled at 32 places.
 bool within_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part = 0);
 
-/// Returns the task with rests at all jumps of first derivatives (with limited jerk also of second derivatives), which
-/// coarse axes alone cannot follow.
-JointTask resting_at_jumps(JointTask task);
-/// Returns the task with rests at those jumps and without fine axes.
+/// Returns the task without fine axes: the coarse axes are ordinary axes of a machine, which take the small jumps of
+/// derivatives that their accelerations and jerks allow in a cycle.
 JointTask without_fine_axes(JointTask task);
 
 }  // namespace bahnwerk

@@ -210,7 +210,7 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone(bool stops) cons
   Machine coarse = coarse_machine(task_.machine, coarse_share);
   for (std::size_t k = 0; k < coarse.axes.size(); ++k)
     coarse.axes[k].jerk = std::min(coarse.axes[k].jerk, limits_.axes[k].jerk);  // what cells take the head to hold
-  const std::vector<bool> rests = stops ? rests_at_jumps(*task_.path, task_.rests, 2) : task_.rests;
+  const std::vector<bool> rests = stops ? rests_at_jumps(*task_.path, task_.rests) : task_.rests;
   const PathTask path{*task_.path, coarse, {}, rests, task_.dwells};
   return std::make_shared<const PathMotion>(task_.path,
                                             with_dwells(planned(coarse, task_.feeds, rests), path, progress_));

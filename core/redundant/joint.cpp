@@ -23,14 +23,11 @@ constexpr double uneven_jerk = 1.02;   // least quotient of both axes' times to 
 /// Returns the task with the share `part` of the strokes and without the fine axes whose strokes are too small for
 /// cells.
 JointTask resolved(JointTask task, const JointOptions& options, double part) {
-  bool small = false;
   for (CoarseFineAxis& axis : task.machine.axes) {
     axis.stroke *= part;
-    if (!(axis.stroke > 0) || axis.stroke >= options.least_stroke) continue;
-    axis = coarse_alone(axis);
-    small = true;
+    if (axis.stroke > 0 && axis.stroke < options.least_stroke) axis = coarse_alone(axis);
   }
-  return small ? resting_at_jumps(std::move(task)) : task;
+  return task;
 }
 
 /// Lowers accelerations so that all axes reach theirs in the same time (`share` 1; 0 leaves the machine unchanged). The
@@ -69,7 +66,10 @@ class Candidates {
         if (slowed && worth_it() && options_.bound > 0 && best_->quickest() > far_above * options_.bound &&
             within_coarse_range(*task_.path, task_.machine, part))
           add(resolved(task_, options_, part));
-      if (slowed && within_coarse_range(*task_.path, task_.machine)) add(without_fine_axes(task_));
+      if (slowed && within_coarse_range(*task_.path, task_.machine)) {
+        const double split = best_->quickest();
+        if (add(without_fine_axes(task_))) slower_ = split;
+      }
     }
     const bool gave_way = !best_;
     if (gave_way) {
@@ -79,6 +79,7 @@ class Candidates {
     }
     JointResult result = best_->result();
     result.gave_way = gave_way;
+    result.slower = slower_;
     result.slowed = std::max(result.slowed, most_slowed_);
     result.fastest = std::min({result.fastest, head_alone_, result.chosen.duration});
     return result;
@@ -111,8 +112,8 @@ class Candidates {
     });
   }
 
-  /// Plans a task; `closed`: only if there is a closed form, which needs no cells.
-  void add(JointTask task, bool closed = false) {
+  /// Plans a task; `closed`: only if there is a closed form, which needs no cells. Returns whether it is the quickest.
+  bool add(JointTask task, bool closed = false) {
     std::unique_ptr<JointPlanner<order>> other;
     bool found = false;
     try {
@@ -123,9 +124,10 @@ class Candidates {
       // Another plan may be feasible.
     }
     if (other) work_ += other->work();
-    if (!found || (best_ && !(other->quickest() < best_->quickest()))) return;
+    if (!found || (best_ && !(other->quickest() < best_->quickest()))) return false;
     most_slowed_ = std::max(most_slowed_, other->slowed());
     best_ = std::move(other);
+    return true;
   }
 
   const JointTask& task_;
@@ -136,6 +138,7 @@ class Candidates {
   double head_alone_ = unlimited;  // s, least duration of a head under its own limits
   double work_ = 0;                // cells times Newton steps
   std::size_t most_slowed_ = 0;
+  double slower_ = 0;  // s, the split that the coarse axes alone are quicker than
 };
 
 }  // namespace

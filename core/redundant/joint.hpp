@@ -68,6 +68,7 @@ struct JointResult {
   std::size_t slowed = 0;                 ///< segments whose feed was lowered
   std::size_t certified = 0;              ///< intervals with a certificate that the coarse axes cannot follow
   bool gave_way = false;                  ///< whether the coarse axes move alone because no split was found
+  double slower = 0;  ///< s, what the split takes that the coarse axes alone are quicker than; 0: they are not
 };
 
 /// Returns the plan with the shortest duration found, times the factor that the options ask for.
@@ -75,7 +76,7 @@ struct JointResult {
 /// A coordinate without a fine axis, or with a stroke below `least_stroke`, is carried by the coarse axis alone
 /// (carried_motion.hpp). One straight move has a closed form (lone_move.hpp), used where the head cannot reach the
 /// duration of the summed limits. As the last resort, where no feed makes the split feasible, the coarse axes move
-/// alone, with rests wherever they cannot follow a jump of a derivative.
+/// alone, as the axes of an ordinary machine do.
 ///
 /// A plan for smaller limits or strokes also is a plan for larger ones. Therefore a head that was slowed is compared
 /// with the coarse axes alone, and one that takes 2 % longer than `bound` with plans for 7/10 and 4/10 of the strokes;

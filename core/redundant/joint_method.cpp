@@ -27,9 +27,18 @@ RedundancyResult plan_joint_method(const RedundancyTask& task, const RedundancyO
   result.slowed_count = found.slowed;
   result.coarse_jerk_limited = task.machine.limits_jerk();
   if (found.gave_way) {
-    result.fallbacks = options.coarse_alone ? 0 : 1;
+    if (!options.coarse_alone)
+      result.gave_way.push_back(
+          {planner_name(RedundancyMethod::joint), GivingWay::no_motion, 0, coarse_axes_alone, result.head->duration()});
     result.notes.emplace_back(
         "no motion was found in which the fine axes take part: they stand still, and the coarse axes move alone");
+  }
+  if (found.slower > 0) {
+    result.gave_way.push_back({planner_name(RedundancyMethod::joint), GivingWay::slower, found.slower,
+                               coarse_axes_alone, result.head->duration()});
+    result.notes.emplace_back(
+        "the coarse axes alone are quicker than every motion that was found in which the fine axes take part: those "
+        "stand still");
   }
   const double planned = found.chosen.duration / found.chosen.stretch;
   result.passes.push_back({found.fastest, found.slowed, {}});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/named.hpp"
+#include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/motion/axes/axis_path.hpp"
 #include "core/motion/axes/motion.hpp"
@@ -112,6 +113,31 @@ struct RedundancyLag {
   double circle_growth = 0;    ///< relative growth of the radius of a circle of 1 mm at 100 mm/s; negative: it shrinks
 };
 
+/// Why a plan gave way to another one: it failed verification, it takes longer, the planner found no motion, or the
+/// planner does not fit the machine (an axis without a fine one, fine axes that have to be centred).
+enum class GivingWay { verification, slower, no_motion, unsuited };
+inline constexpr Named<GivingWay> reasons_to_give_way[] = {{GivingWay::verification, "verification"},
+                                                           {GivingWay::slower, "slower"},
+                                                           {GivingWay::no_motion, "no_motion"},
+                                                           {GivingWay::unsuited, "unsuited"}};
+
+inline constexpr const char* coarse_axes_alone = "coarse_alone";  ///< planner without fine axes, in GaveWay
+inline constexpr const char* timed_again = "timed_again";         ///< motion of a method, reparametrised, in GaveWay
+
+/// A plan that gave way to another one.
+struct GaveWay {
+  std::string planner;  ///< the method's name, `timed_again` or `coarse_alone`
+  GivingWay reason = GivingWay::verification;
+  double duration = 0;               ///< s, of its motion; 0: it has none
+  std::string used = {};             ///< the planner that took its place
+  double used_duration = 0;          ///< s, of that planner's motion
+  std::optional<Check> failed = {};  ///< verification: the check that failed by most
+};
+
+inline std::string planner_name(RedundancyMethod method) {
+  return name_of<RedundancyMethod>(method, redundancy_methods);
+}
+
 /// The plan: head and coarse motion. The fine axes move by the difference, x_f = x − x_c, at every time. The verifier
 /// decides which limits hold.
 struct RedundancyResult {
@@ -127,7 +153,7 @@ struct RedundancyResult {
   std::size_t slowed_count = 0;       ///< number of slowed segments, if the method only counts them
   std::size_t certified = 0;          ///< intervals with a certificate that the coarse axes cannot follow
   bool coarse_jerk_limited = false;   ///< whether the coarse acceleration is continuous though no jerk is limited
-  std::size_t fallbacks = 0;          ///< how often another method had to replace the chosen one
+  std::vector<GaveWay> gave_way;      ///< plans that another one replaced, in turn
   std::vector<RedundancyLag> lags;    ///< without and with the prefilter, if drives were simulated
   std::vector<std::string> notes;     ///< remarks for the user, English sentences
 };

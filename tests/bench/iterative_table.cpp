@@ -33,7 +33,7 @@ void row(const RedundancyTask& task, RedundancyOptions options, const char* name
         "%-34s m=%d k=%d  cut %.4f position %.4f all %.4f  first %.4f ratio %.5f  iterations %zu fallbacks %zu  "
         "planning/motion %.4f\n",
         name, degree, multiplicity, cut, position, r.head->duration(), r.fastest, r.head->duration() / r.fastest,
-        r.iterations, r.fallbacks, spent / r.head->duration());
+        r.iterations, r.gave_way.size(), spent / r.head->duration());
     std::fflush(stdout);
   }
 }

@@ -69,6 +69,26 @@ ordered_json slowed(const CoarseFinePlan& plan, bool program) {
   return list;
 }
 
+/// Returns the table of plans that gave way; a duration of a plan that does not exist is null.
+ordered_json gave_way(const std::vector<GaveWay>& rows) {
+  const auto seconds = [](double t) { return t > 0 ? ordered_json(t) : ordered_json(); };
+  ordered_json list = ordered_json::array();
+  for (const GaveWay& row : rows) {
+    list.push_back({{"planner", row.planner},
+                    {"reason", name_of<GivingWay>(row.reason, reasons_to_give_way)},
+                    {"duration", seconds(row.duration)},
+                    {"used", row.used},
+                    {"used_duration", seconds(row.used_duration)}});
+    if (row.failed)
+      list.back()["failed"] = {
+          {"name", check_name(*row.failed)},
+          {"unit", check_unit(*row.failed)},
+          {"limit", row.failed->limit},
+          {"value", std::isfinite(row.failed->value) ? ordered_json(row.failed->value) : ordered_json()}};
+  }
+  return list;
+}
+
 ordered_json slow_sections(const CoarseFinePlan& plan, bool program) {
   ordered_json list = ordered_json::array();
   for (const SectionGap& s : plan.slow_sections)
@@ -197,8 +217,16 @@ double least_stroke(const CoarseFineMachine& machine, double shortest) {
 std::vector<std::string> unresolved_strokes(const CoarseFineMachine& machine, double least) {
   std::vector<std::string> notes;
   for (const CoarseFineAxis& axis : machine.axes) {
-    if (axis.stroke < RedundancyOptions{}.least_stroke || axis.stroke >= least) continue;
+    if (!(axis.stroke > 0) || axis.stroke >= least) continue;
     char note[240];
+    if (axis.stroke < RedundancyOptions{}.least_stroke) {
+      std::snprintf(note, sizeof note,
+                    "fine axis %s stands still wherever no closed form moves it: a stroke below %g mm is too short to "
+                    "plan",
+                    axis.name.c_str(), RedundancyOptions{}.least_stroke);
+      notes.emplace_back(note);
+      continue;
+    }
     std::snprintf(
         note, sizeof note,
         "fine axis %s stands still wherever no closed form moves it: in a motion as long as this one a stroke "
@@ -248,9 +276,10 @@ void report(const CoarseFinePlan& plan, const CoarseFineMachine& machine, Redund
                                {"slowed", slowed(plan, program)},
                                {"slow_sections", slow_sections(plan, program)},
                                {"certificates", plan.certified},
-                               {"fallbacks", plan.fallbacks},
+                               {"fallbacks", plan.gave_way.size()},
                                {"coarse_jerk_limited", plan.coarse_jerk_limited}};
   if (!lags.empty()) out.details["redundancy"]["lags"] = std::move(lags);
+  if (!plan.gave_way.empty()) out.summary["gave_way"] = gave_way(plan.gave_way);
 }
 
 std::vector<StudyRequest> study_requests(const json& spec) {

@@ -35,8 +35,8 @@ void check_redundancy(const nlohmann::json& spec, const CoarseFineMachine& machi
                       std::vector<InputFault>& faults);
 /// Returns the least stroke, mm, with which a motion of at least `shortest` s has no more than max_cells cells.
 double least_stroke(const CoarseFineMachine& machine, double shortest);
-/// Returns a note for each fine axis that stands still because its stroke is below `least`, though it would be planned
-/// in a shorter motion.
+/// Returns a note for each fine axis that stands still because its stroke is below `least`, in this motion or
+/// in any.
 std::vector<std::string> unresolved_strokes(const CoarseFineMachine& machine, double least);
 
 /// Returns a sentence for each option of the spec that the method does not use.

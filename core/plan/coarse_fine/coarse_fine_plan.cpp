@@ -12,6 +12,7 @@
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/plan/coarse_fine/coarse_fine_setpoints.hpp"
 #include "core/plan/coarse_fine/fitted_motion.hpp"
+#include "core/plan/coarse_fine/giving_way.hpp"
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
 #include "core/plan/pipeline.hpp"
@@ -97,8 +98,8 @@ class CoarseFineProblem final : public MotionProblem {
       if (tried(planned)) return true;
     }
     for (std::optional<RedundancyOptions> next = another(tried_); next; next = another(*next)) {
+      give_up();
       tried_ = *next;
-      ++given_up_;
       if (tried(planned)) return true;
     }
     if (!found_) std::rethrow_exception(why_not_);
@@ -131,6 +132,7 @@ class CoarseFineProblem final : public MotionProblem {
     std::vector<bool> centred;
     for (const CoarseFineAxis& axis : machine_.axes) centred.push_back(axis.centred);
     verdict.add(centre_checks(*plan_.head, *plan_.coarse, fine_axes_, centred));
+    verdict_ = verdict;
     return verdict;
   }
 
@@ -208,7 +210,7 @@ class CoarseFineProblem final : public MotionProblem {
     }
     plan_.slowed_count = std::max(plan_.slowed.size(), result_.slowed_count);
     plan_.certified = result_.certified;
-    plan_.fallbacks = result_.fallbacks;
+    plan_.gave_way = std::move(result_.gave_way);
     plan_.coarse_jerk_limited = result_.coarse_jerk_limited;
     plan_.lags = std::move(result_.lags);
     return std::move(plan_);
@@ -298,10 +300,24 @@ class CoarseFineProblem final : public MotionProblem {
     return options;
   }
 
-  /// Adds the notes of plans that were replaced.
+  std::string tried_name() const {
+    if (tried_.coarse_alone) return coarse_axes_alone;
+    return tried_.reparametrise ? timed_again : planner_name(tried_.method);
+  }
+
+  /// Records the plan at hand, and those that it had replaced, as one that gives way.
+  void give_up() {
+    if (!found_) return given_up_.add_without_motion(tried_name());
+    const bool replaced = !tried_.reparametrise && !result_.gave_way.empty();
+    const std::string planner = replaced ? result_.gave_way.back().used : tried_name();
+    given_up_.add(std::move(result_.gave_way));
+    given_up_.add_failed(planner, duration(), verdict_);
+  }
+
+  /// Adds the rows and the notes of plans that were replaced.
   void note_other_ways() {
-    if (given_up_ == 0) return;
-    result_.fallbacks += given_up_;
+    if (given_up_.empty()) return;
+    result_.gave_way = given_up_.table(std::move(result_.gave_way), tried_name(), duration());
     if (!tried_.coarse_alone)
       result_.notes.push_back(
           tried_.method == options_.method
@@ -345,7 +361,8 @@ class CoarseFineProblem final : public MotionProblem {
   bool found_ = false;                     // the last method found a motion
   bool gantry_takes_over_ = false;         // whether the coarse axes alone replace a method without a motion
   std::exception_ptr why_not_;             // the method found nothing
-  std::size_t given_up_ = 0;               // plans that did not hold their limits
+  GivenUpPlans given_up_;                  // plans that did not hold their limits
+  Verification verdict_;                   // on the plan at hand
   double stretch_ = 1;                     // on top of what the method found
   double factor_ = 1, cycles_factor_ = 1;  // that the motion was slowed by, and the part of it for whole cycles
   Bound bound_;

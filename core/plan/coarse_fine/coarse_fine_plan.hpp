@@ -36,7 +36,7 @@ struct CoarseFinePlan {
   std::size_t slowed_count = 0;
   std::vector<SectionGap> slow_sections;  ///< the 100 sections between rests that exceed their own bounds most
   std::size_t certified = 0;
-  std::size_t fallbacks = 0;
+  std::vector<GaveWay> gave_way;
   bool coarse_jerk_limited = false;
   std::vector<RedundancyLag> lags;
 };
@@ -54,7 +54,7 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine);
 /// the whole motion accordingly. Of `planning` only corners, mode changes and the number of setpoints apply; the head's
 /// law is always the shortest one, with limited jerk if the machine limits it. If a plan fails verification, or a
 /// method finds none, the same plan without reparametrisation, then the joint planner's, and finally that of the coarse
-/// axes alone take its place, which is counted in `fallbacks` and noted.
+/// axes alone take its place, which `gave_way` tells and a note.
 ///
 /// Cost: that of the method and 2 to 8 µs per cell of its coarse motion for verification. Throws what rounding and
 /// method throw.

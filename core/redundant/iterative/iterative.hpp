@@ -8,7 +8,7 @@
 /// the coarse axes' state is carried over. If a window has no valid split, the window before is kept up to its end, at
 /// rest, and the window begins there (the source's rescue stop). If that fails, too, the joint planner plans the
 /// contour, and if that fails the coarse axes move alone. Every contour thus gets a split that keeps all limits, by
-/// bounds between samples (split_peaks.hpp); `fallbacks` of the result counts replacements.
+/// bounds between samples (split_peaks.hpp); `gave_way` of the result tells of replacements.
 ///
 /// The motion is not the fastest one, because the head never gets more than the fine axes' acceleration. Cost:
 /// O(samples) per iteration; docs/methods/coarse_fine_iterative.md lists times.

@@ -45,7 +45,9 @@ RedundancyResult quicker_than_lone_move(RedundancyResult found, const Redundancy
     std::snprintf(note, sizeof note,
                   "the method's own motion takes %.6g s, the move's closed form %.6g s: the joint planner planned it",
                   found.head->duration(), other.head->duration());
-    other.fallbacks = found.fallbacks + 1;
+    other.gave_way = std::move(found.gave_way);
+    other.gave_way.push_back({planner_name(options.method), GivingWay::slower, found.head->duration(),
+                              planner_name(RedundancyMethod::joint), other.head->duration()});
     other.notes = std::move(found.notes);
     other.notes.emplace_back(note);
     other.passes.insert(other.passes.begin(), found.passes.begin(), found.passes.end());
@@ -79,7 +81,8 @@ RedundancyResult planned_forwards(const RedundancyTask& task, const RedundancyOp
                                   double from, double to) {
   if (options.method != RedundancyMethod::joint && !every_axis_is_split(task.machine)) {
     RedundancyResult result = plan_joint_method(task, options, progress, from, to);
-    ++result.fallbacks;
+    result.gave_way.insert(result.gave_way.begin(), {planner_name(options.method), GivingWay::unsuited, 0,
+                                                     planner_name(RedundancyMethod::joint), result.head->duration()});
     result.notes.insert(result.notes.begin(),
                         "not every axis of the contour has a fine one, which the method asks for; the joint planner "
                         "planned the contour");
@@ -89,7 +92,8 @@ RedundancyResult planned_forwards(const RedundancyTask& task, const RedundancyOp
     RedundancyOptions other = options;
     other.method = RedundancyMethod::iterative;
     RedundancyResult result = planned_forwards(task, other, progress, from, to);
-    ++result.fallbacks;
+    result.gave_way.insert(result.gave_way.begin(), {planner_name(options.method), GivingWay::unsuited, 0,
+                                                     planner_name(other.method), result.head->duration()});
     result.notes.emplace_back(
         "the joint planner leaves open where fine axes stand at rest: the iterative method planned the contour");
     return result;

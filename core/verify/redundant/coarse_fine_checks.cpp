@@ -197,12 +197,24 @@ class FineSweep {
   std::size_t discs_of_ = 0;
 };
 
-/// Returns the size, mm, from which the rounding of a segment's points follows: its length, its radius of curvature,
-/// its distance from zero.
+/// Returns the size, mm, from which the rounding of a segment's points follows: its length, its distance from zero, the
+/// radius of an arc, whose points are computed from its centre. Where any other curve is hardly bent, its radius of
+/// curvature says nothing about its points.
 double size_of(const AxisPath& path, std::size_t segment, const AxisJet& q) {
   double far = 0, bent = 0;
   for (std::size_t k = 0; k < path.axes(); ++k) far += std::abs(q.value[k]), bent += q.d2[k] * q.d2[k];
-  return far + path[segment].length() + (bent > 0 ? 2 / std::sqrt(bent) : 0);
+  const bool arc = path[segment].curve().kind() == CurveKind::arc;
+  return far + path[segment].length() + (arc && bent > 0 ? 2 / std::sqrt(bent) : 0);
+}
+
+/// Tells of each axis whether its fine axis is where the coarse one carries it at all times, whatever its stroke is.
+std::vector<bool> still_axes(const CoarseFineToVerify& in, const std::vector<Check>& fine) {
+  std::vector<bool> still(in.fine_axes.size());
+  for (std::size_t k = 0; k < still.size(); ++k)
+    still[k] = std::any_of(fine.begin(), fine.end(), [&](const Check& c) {
+      return is(c, CheckedQuantity::stroke, 0, in.fine_axes[k].name) && c.value <= least_stroke;
+    });
+  return still;
 }
 
 /// Returns the factor, 1/mm, by which a shift of an end of the segment turns its tangent there.
@@ -249,10 +261,11 @@ double rounding_of_head(const CoarseFineToVerify& in, const LawPiece& p, std::si
 
 /// Returns the jumps that a coarse axis may have at time t: of its position by the head's rounding, of its derivatives
 /// by the head's own jumps at joints as far as rounding of points causes them, and by the rounding of its law; an axis
-/// without fine axis may also jump at a tangent jump like any axis of a machine.
-double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t derivative, double t) {
+/// that is `alone`, because its fine axis does not exist or stands still, may also jump at a tangent jump like any axis
+/// of a machine.
+double step_of_the_head(const CoarseFineToVerify& in, bool alone, std::size_t k, std::size_t derivative, double t) {
   if (derivative > 2) return 0;
-  const bool rounded = derivative > 0 && in.fine_axes[k].highest > least_stroke;
+  const bool rounded = derivative > 0 && !alone;
   const Limits& axis = in.coarse_axes[k];
   const double most =
       derivative == 0 || rounded ? unlimited : in.cycle_time * (derivative == 1 ? axis.acceleration : axis.jerk);
@@ -299,27 +312,27 @@ std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress&
   if (!input.path.cartesian() || input.coarse.axes() != axes || input.coarse_axes.size() != axes ||
       input.fine_axes.size() != axes)
     throw std::invalid_argument("coarse and fine axes are verified along a Cartesian path of as many axes");
-  const double between = input.progress_from + 0.3 * (input.progress_to - input.progress_from);
+  const double between = input.progress_from + 0.7 * (input.progress_to - input.progress_from);
+  ProgressScope scope(progress, "verify", input.progress_from, between);
+  const std::vector<Check> fine = verify::FineSweep(input, scope).run();
+  const std::vector<bool> alone = verify::still_axes(input, fine);
   MotionToVerify coarse{input.coarse, input.coarse_axes};
   coarse.continuous = input.check_jerk ? 2 : 1;
   // The pieces were fitted to the head's times, so both ends of each may be off by the rounding of t once more.
   coarse.resolution = std::numeric_limits<double>::epsilon() * input.law.duration();
-  coarse.step = [&input](std::size_t axis, std::size_t derivative, double t) {
-    return verify::step_of_the_head(input, axis, derivative, t);
+  coarse.step = [&input, &alone](std::size_t axis, std::size_t derivative, double t) {
+    return verify::step_of_the_head(input, alone[axis], axis, derivative, t);
   };
-  coarse.progress_from = input.progress_from;
-  coarse.progress_to = between;
+  coarse.progress_from = between;
+  coarse.progress_to = input.progress_to;
   coarse.group = "coarse";
   coarse.unit = "mm";
   std::vector<Check> list = motion_checks(coarse, progress);
-  ProgressScope scope(progress, "verify", between, input.progress_to);
-  for (Check& check : verify::FineSweep(input, scope).run()) list.push_back(std::move(check));
+  list.insert(list.end(), fine.begin(), fine.end());
   verify::Strained duration;
   duration.raise(std::abs(input.coarse.duration() - input.law.duration()), verify::rounding * input.law.duration(),
                  input.law.duration());
   list.push_back(verify::make_check({CheckedQuantity::duration, 0, "s", "coarse"}, duration));
-  scope.done(1);
-  scope.report();
   return list;
 }
 

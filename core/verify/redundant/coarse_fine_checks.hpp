@@ -19,8 +19,8 @@ struct CoarseFineToVerify {
   const Motion& coarse;                                  ///< as many axes as the path has, as long as the law
   const std::vector<AxisLimits>&coarse_axes, fine_axes;  ///< limits and names; a fine axis' stroke is its `highest`
   bool check_jerk = false;  ///< whether jerk limits have to hold and the coarse acceleration has to be continuous
-  double cycle_time =
-      0;  ///< s; a coarse axis without a fine one takes steps at a tangent jump as a machine's axis does
+  double cycle_time = 0;    ///< s; a coarse axis under a fine one that stands still takes steps at a tangent jump as a
+                            ///< machine's axis does
   double progress_from = 0, progress_to = 1;
 };
 
@@ -29,15 +29,15 @@ struct CoarseFineToVerify {
 /// axis>`, `acceleration <fine axis>`, with check_jerk `jerk <fine axis>`; `coarse duration` (equal to the law's up to
 /// rounding).
 ///
-/// Jumps. An axis with a `highest` of at most 1e-8 mm (least_stroke) has no fine axis, and its coarse axis is an
-/// ordinary axis of a machine. At a joint its velocity may jump by the tangent jump times the head's speed, at most
-/// acceleration times cycle time, and its acceleration by what the jumps of tangent and curvature cause, at most jerk
-/// times cycle time. All other coarse axes, and all other places, allow only jumps due to rounding of the path:
-/// positions by the rounding of the curve's data (32 ε of its radius, its length, its distance from zero; also where
-/// pieces of the law meet inside a segment), tangents and curvatures by what such a shift turns and bends the segment's
-/// end (times 1/length + 1/radius, and its square). Where pieces of the law meet on a curved segment, velocities may
-/// also differ by the curvature times the rounding of path length there (rounding.hpp): at 1.3 mm/s, 15 mm along a
-/// path, on a radius of 15 µm that is 1e-11 mm/s.
+/// Jumps. Where the fine axis moves by at most 1e-8 mm (least_stroke) all the time, because there is none or because it
+/// stands still, the coarse axis is an ordinary axis of a machine. At a joint its velocity may jump by the tangent jump
+/// times the head's speed, at most acceleration times cycle time, and its acceleration by what the jumps of tangent and
+/// curvature cause, at most jerk times cycle time. All other coarse axes, and all other places, allow only jumps due to
+/// rounding of the path: positions by the rounding of the curve's data (32 ε of its length, its distance from zero, an
+/// arc's radius; also where pieces of the law meet inside a segment), tangents and curvatures by what such a shift
+/// turns and bends the segment's end (times 1/length + 1/radius, and its square). Where pieces of the law meet on a
+/// curved segment, velocities may also differ by the curvature times the rounding of path length there (rounding.hpp):
+/// at 1.3 mm/s, 15 mm along a path, on a radius of 15 µm that is 1e-11 mm/s.
 ///
 /// Peaks. Head and coarse motion are examined together on every interval of time on which both are smooth. Where the
 /// segment is linear and the coarse motion polynomial, their difference is polynomial and its peak is enclosed by

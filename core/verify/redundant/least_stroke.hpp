@@ -1,9 +1,8 @@
 #pragma once
-/// The threshold of the stroke below which an axis counts as having no fine axis.
+/// The way of a fine axis up to which it counts as standing still or as not existing.
 
 namespace bahnwerk::verify {
 
-inline constexpr double least_stroke =
-    1e-8;  ///< mm; a fine axis with a smaller or equal stroke does not exist for the verifier
+inline constexpr double least_stroke = 1e-8;  ///< mm; rounding of positions stays below it
 
 }  // namespace bahnwerk::verify

@@ -34,9 +34,16 @@ TEST(CoarseAlone, ASlowerMotionOfAMethodGivesWayToIt) {
                            r = plan_redundant(task, options, progress);
     EXPECT_LE(r.head->duration(), alone.head->duration() * (1 + 1e-9));
     const bool slower = own.head->duration() > alone.head->duration() * (1 + 1e-9);
-    EXPECT_EQ(r.fallbacks, own.fallbacks + slower);
+    EXPECT_EQ(r.gave_way.size(), own.gave_way.size() + slower);
     EXPECT_EQ(slower, method.value == RedundancyMethod::filter || method.value == RedundancyMethod::lag_compensation);
     EXPECT_LE(test::split_excess(task, r).limits, 1e-4);
+    if (!slower) continue;
+    const GaveWay& row = r.gave_way.back();
+    EXPECT_EQ(row.planner, method.name);
+    EXPECT_EQ(row.reason, GivingWay::slower);
+    EXPECT_EQ(row.duration, own.head->duration());
+    EXPECT_EQ(row.used, coarse_axes_alone);
+    EXPECT_EQ(row.used_duration, r.head->duration());
   }
 }
 

@@ -21,7 +21,7 @@ TEST(Joint, RandomContoursAreSmootherThanByTheIterativeMethodAtItsDuration) {
     const Contour contour = i < 2 ? test::holes(3, 3, 12, 2) : test::random_contour(random, i < 6 ? 40 : 90);
     SilentProgress progress;
     const RedundancyResult iterative = plan_iterative(test::redundancy_task(contour, machine), {}, progress, 0, 1);
-    if (iterative.fallbacks > 0) continue;
+    if (!iterative.gave_way.empty()) continue;
     const JointTask task = test::joint_task(contour, machine);
     JointOptions options;
     options.stretch = iterative.head->duration() / plan(task).chosen.duration;

@@ -11,9 +11,11 @@ namespace bahnwerk::test {
 
 struct SplitExcess {
   double limits = -1;  ///< largest value over its limit, − 1: velocities, accelerations, jerks, stroke
-  double jump = 0;     ///< of the coarse axes where pieces meet: mm, or s times mm/s, or s² times mm/s² with jerk
-  double rest = 0;     ///< mm/s, of coarse axes at both ends
-  double time = 0;     ///< s, by which head and coarse axes last differently
+  /// Of the coarse axes where pieces meet: mm, or s times mm/s, or s² times mm/s² with jerk. Under a fine axis that
+  /// stands still it counts beyond the step that any machine's axis may take in a cycle.
+  double jump = 0;
+  double rest = 0;  ///< mm/s, of coarse axes at both ends
+  double time = 0;  ///< s, by which head and coarse axes last differently
 };
 
 inline SplitExcess split_excess(const RedundancyTask& task, const RedundancyResult& r) {
@@ -59,12 +61,16 @@ inline SplitExcess split_excess(const RedundancyTask& task, const RedundancyResu
     const double unit = std::sqrt(task.machine.axes[k].stroke / task.machine.axes[k].coarse.acceleration);
     e.rest = std::max(
         {e.rest, std::abs(r.coarse->in_piece(0, 0).velocity[k]), std::abs(r.coarse->final_state().velocity[k])});
+    const Limits& coarse = task.machine.axes[k].coarse;
+    const bool still = sweep[kinds * k + 2].value <= 1e-8;
+    const double step = still ? task.machine.cycle_time * coarse.acceleration : 0,
+                 acceleration_step = still && jerk ? task.machine.cycle_time * coarse.jerk : 0;
     for (std::size_t i = 1; i < r.coarse->pieces(); ++i) {
       const double t = r.coarse->begin(i);
       const MotionState a = r.coarse->in_piece(i - 1, t), b = r.coarse->in_piece(i, t);
-      e.jump =
-          std::max({e.jump, std::abs(a.position[k] - b.position[k]), unit * std::abs(a.velocity[k] - b.velocity[k]),
-                    jerk ? unit * unit * std::abs(a.acceleration[k] - b.acceleration[k]) : 0.0});
+      e.jump = std::max(
+          {e.jump, std::abs(a.position[k] - b.position[k]), unit * (std::abs(a.velocity[k] - b.velocity[k]) - step),
+           jerk ? unit * unit * (std::abs(a.acceleration[k] - b.acceleration[k]) - acceleration_step) : 0.0});
     }
   }
   return e;

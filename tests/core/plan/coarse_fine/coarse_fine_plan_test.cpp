@@ -139,6 +139,38 @@ TEST(CoarseFinePlan, SetpointsAreTheSumInEveryRow) {
       [](std::size_t, std::size_t) {});
 }
 
+/// Cuts that meet under 0.05°, where the gantry of a machine without fine axes need not rest, and go on in an arc whose
+/// curvature jumps: fine axes too short to be used, which stand still, take nothing from that, wherever the contour
+/// lies.
+TEST(CoarseFinePlan, UnderFineAxesThatStandStillSmallTangentJumpsArePassedAsWithoutThem) {
+  const double bend = 0.05 * M_PI / 180;
+  for (const double jerk : {0.0, 380.0})
+    for (const RedundancyMethod method : {RedundancyMethod::joint, RedundancyMethod::iterative}) {
+      double without = 0;
+      for (const double stroke : {0.0, 0.003})
+        for (const Vec at : {Vec{0, 0, 0}, Vec{31.25, -17.5, 0}}) {
+          CoarseFineMachine machine = jerk > 0 ? test::with_jerk(test::md2(), jerk) : test::md2();
+          for (CoarseFineAxis& axis : machine.axes) axis.stroke = stroke;
+          if (!(stroke > 0))
+            for (CoarseFineAxis& axis : machine.axes) axis = coarse_alone(axis);
+          ContourBuilder b(2, at);
+          b.block(Mode::cut, 400);
+          b.line(at + Vec{4, 0, 0});
+          b.line(at + Vec{4 + 4 * std::cos(bend), 4 * std::sin(bend), 0});
+          const Vec along{std::cos(bend), std::sin(bend), 0}, across{-along.y, along.x, 0};
+          const Vec end = at + Vec{4, 0, 0} + 4 * along;
+          b.arc(end + 2 * along + 2 * across, end + 2 * across, true);
+          RedundancyOptions options;
+          options.method = method;
+          options.compare = false;
+          const CoarseFinePlan p = plan(b.finish(), machine, {}, options);
+          expect_verified(p);
+          if (without == 0) without = p.contour.duration;
+          EXPECT_NEAR(p.contour.duration, without, 1e-6 * without) << "stroke " << stroke << ", jerk " << jerk;
+        }
+    }
+}
+
 TEST(CoarseFinePlan, ALongMoveIsVerifiedAndNotBelowItsBound) {
   const CoarseFinePlan p = plan(test::straight(600, 200), test::md1());
   expect_verified(p);
@@ -167,7 +199,7 @@ TEST(CoarseFinePlan, DwellsKeepTheirBlocksWhereTheHeadWaitsForAFilter) {
       const CoarseFinePlan p = plan(copy.finish(), machine, {}, options);
       expect_verified(p);
       if (method == RedundancyMethod::filter && again) {
-        EXPECT_EQ(p.fallbacks, 0u);
+        EXPECT_EQ(p.gave_way.size(), 0u);
       }
       ASSERT_EQ(p.contour.blocks.size(), 2u);
       EXPECT_GT(p.contour.blocks[0].end_time - p.contour.blocks[0].start_time, 0.02);
@@ -185,7 +217,7 @@ TEST(CoarseFinePlan, WhereAMethodFindsNothingTheJointPlannerPlans) {
   for (CoarseFineAxis& axis : machine.axes) axis.fine.velocity = 5;
   const CoarseFinePlan p = plan(test::straight(600, 200), machine, {}, options);
   expect_verified(p);
-  EXPECT_EQ(p.fallbacks, 1u);
+  EXPECT_EQ(p.gave_way.size(), 1u);
   EXPECT_LT(p.contour.duration, 2);
 }
 
@@ -201,7 +233,7 @@ TEST(CoarseFinePlan, RandomLoneMovesAreVerifiedAndNeverSlowerWithMoreStrokeOrAcc
     const auto time = [&](const CoarseFineMachine& m) {
       const CoarseFinePlan p = plan(test::straight(way * std::cos(angle), way * std::sin(angle)), m, {}, options);
       expect_verified(p);
-      EXPECT_EQ(p.fallbacks, 0u);
+      EXPECT_EQ(p.gave_way.size(), 0u);
       return p.contour.duration;
     };
     double before = 1e9;
@@ -290,7 +322,7 @@ TEST(CoarseFinePlan, ALoneMoveWithUnevenJerksMayBeSmoother) {
   const CoarseFinePlan smooth = plan(test::straight(0.01, 0), machine, {}, options);
   expect_verified(quick);
   expect_verified(smooth);
-  EXPECT_EQ(smooth.fallbacks, 0u);
+  EXPECT_EQ(smooth.gave_way.size(), 0u);
   EXPECT_LE(smooth.energy[0], quick.energy[0]);
 }
 
@@ -305,7 +337,7 @@ TEST(CoarseFinePlan, OneRedundantAxisIsEnough) {
                        slow = plan(test::holes(2, 1, 12, 2), alone, {}, options);
   expect_verified(p);
   expect_verified(slow);
-  EXPECT_EQ(p.fallbacks, 0u);
+  EXPECT_EQ(p.gave_way.size(), 0u);
   EXPECT_LE(check_value(p, "stroke yf"), 1e-9);
   EXPECT_GT(check_value(p, "stroke xf"), 0.1);
   EXPECT_LT(p.contour.duration, slow.contour.duration);
@@ -323,7 +355,7 @@ TEST(CoarseFinePlan, HeightMayBeACoarseAxisAlone) {
   options.compare = false;
   const CoarseFinePlan p = plan(b.finish(), machine, {}, options);
   expect_verified(p);
-  EXPECT_EQ(p.fallbacks, 0u);
+  EXPECT_EQ(p.gave_way.size(), 0u);
   EXPECT_LE(check_value(p, "stroke zf"), 1e-9);
   EXPECT_GT(check_value(p, "stroke xf"), 0.1);
   EXPECT_NEAR(check_value(p, "velocity zc"), 60, 0.5);  // z is what limits the motion
@@ -354,7 +386,7 @@ TEST(CoarseFinePlan, WhereAnAxisHasNoFineOneTheJointPlannerPlans) {
   options.method = RedundancyMethod::iterative;
   const CoarseFinePlan p = plan(test::holes(2, 1, 12, 2), machine, {}, options);
   expect_verified(p);
-  EXPECT_EQ(p.fallbacks, 1u);
+  EXPECT_EQ(p.gave_way.size(), 1u);
 }
 
 }  // namespace

@@ -203,16 +203,50 @@ TEST(CoarseFineChecks, AnAxisWithoutAFineOneStepsWithTheTangentAndNowhereElse) {
   Case small = bent(0, 1);
   small.cycle_time = 1e-7;  // 0.01 mm/s
   EXPECT_FALSE(continuous(small));
-  Case split = bent(0, 1);
-  split.fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
-  EXPECT_FALSE(continuous(split));
+}
+
+/// Lets both fine axes move by up to 100 mm; that of y does not stand still, because its coarse axis is 1 nm aside.
+void split(Case& c) {
+  c.fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
+  for (SplineMotion::Piece& piece : c.coarse) piece.axes[1][0] += 1e-6;
+}
+
+/// A fine axis that is never used takes nothing from what the coarse axis may do without it.
+TEST(CoarseFineChecks, UnderAFineAxisThatStandsStillACoarseOneStepsAsWithoutIt) {
+  const auto continuous = [](const Case& c) { return find(c.checks(), "coarse continuity of velocity").passed; };
+  Case still = bent(0, 1);
+  still.fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
+  EXPECT_LE(find(still.checks(), "stroke yf").value, 1e-12);
+  EXPECT_TRUE(continuous(still));
+  still.cycle_time = 1e-7;  // 0.01 mm/s
+  EXPECT_FALSE(continuous(still));
+  Case moves = bent(0, 1);
+  split(moves);
+  EXPECT_FALSE(continuous(moves));
+}
+
+/// Only an arc's points come from its centre: a curve that is hardly bent has no more rounding than a line of its
+/// length, though its radius of curvature is 5e10 mm.
+TEST(CoarseFineChecks, AHardlyBentCurveHasTheRoundingOfALine) {
+  for (const auto& [angle, passes] : {std::pair{2e-14, true}, {1e-6, false}}) {
+    Case c = bent(0, 1, angle);
+    ContourBuilder b(2, {0, 0, 0});
+    b.block(Mode::cut, unlimited);
+    b.polynomial({{0, 10}, {0, 0, 1e-9}});
+    b.line({10 + 10 * std::cos(angle), 1e-9 + 10 * std::sin(angle), 0});
+    c.path = path_of(b);
+    split(c);
+    const AxisJet q = c.path->at_parameter(0, (*c.path)[0].curve().end());
+    ASSERT_NEAR(q.d2[1], 2e-11, 1e-13);
+    EXPECT_EQ(find(c.checks(), "coarse continuity of velocity").passed, passes) << angle;
+  }
 }
 
 /// An end that is off by 32 ε of 20 mm turns a line of 10 mm by 1.4e-14; beside another one that is 2.8e-14.
 TEST(CoarseFineChecks, WhatTheRoundingOfPointsTurnsCoarseAxesTake) {
   for (const auto& [angle, passes] : {std::pair{2e-14, true}, {1e-12, false}}) {
     Case c = bent(0, 1, angle);
-    c.fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
+    split(c);
     EXPECT_EQ(find(c.checks(), "coarse continuity of velocity").passed, passes) << angle;
   }
 }
