@@ -7,7 +7,7 @@ foreach(file IN LISTS FILES)
   string(APPEND table "    {\"${name}\",\n    R\"~~(${text})~~\"},\n")
 endforeach()
 file(WRITE ${OUT} "// Made from schemas/*.json.
-#include \"api/embedded.hpp\"
+#include \"api/schema/embedded.hpp\"
 
 namespace bahnwerk::api {
 namespace {

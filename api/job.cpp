@@ -4,12 +4,12 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "api/embedded.hpp"
-#include "api/json_text.hpp"
 #include "api/kind.hpp"
-#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/schema.hpp"
+#include "api/schema/embedded.hpp"
+#include "api/schema/schema.hpp"
+#include "api/text/json_text.hpp"
+#include "api/text/pointer.hpp"
 
 namespace bahnwerk::api {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "api/result_files.hpp"
+#include "api/setpoints/result_files.hpp"
 
 namespace bahnwerk {
 class Progress;

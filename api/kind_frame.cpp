@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "api/setpoint_summary.hpp"
+#include "api/setpoints/setpoint_summary.hpp"
 
 namespace bahnwerk::api {
 

@@ -16,10 +16,10 @@
 #include <string>
 #include <string_view>
 
-#include "api/embedded.hpp"
 #include "api/kind.hpp"
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
+#include "api/schema/embedded.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "api/embedded.hpp"
 #include "api/kind.hpp"
 #include "api/problem.hpp"
+#include "api/schema/embedded.hpp"
 
 namespace bahnwerk::api {
 namespace {

@@ -2,12 +2,12 @@
 #include <nlohmann/json.hpp>
 
 #include "api/job.hpp"
-#include "api/json_text.hpp"
 #include "api/kind.hpp"
 #include "api/planned_job.hpp"
-#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/setpoints.hpp"
+#include "api/setpoints/setpoints.hpp"
+#include "api/text/json_text.hpp"
+#include "api/text/pointer.hpp"
 
 namespace bahnwerk::api {
 namespace {

@@ -5,7 +5,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "api/pointer.hpp"
+#include "api/text/pointer.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/infeasible_at.hpp"
 

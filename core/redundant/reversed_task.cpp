@@ -9,7 +9,7 @@
 
 #include "core/geometry/curve/reversed.hpp"
 #include "core/motion/law/dwell.hpp"
-#include "core/redundant/carried_motion.hpp"
+#include "core/redundant/coarse/carried_motion.hpp"
 #include "core/redundant/reversed_motion.hpp"
 
 namespace bahnwerk {

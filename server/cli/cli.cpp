@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "api/kind.hpp"
-#include "api/setpoints.hpp"
+#include "api/setpoints/setpoints.hpp"
 #include "server/runtime/log.hpp"
 
 namespace bahnwerk::server::cli {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "api/base64.hpp"
+#include "api/text/base64.hpp"
 #include "server/cli/cli.hpp"
 
 namespace bahnwerk::server::cli {

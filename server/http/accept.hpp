@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "api/accept.hpp"
+#include "api/text/accept.hpp"
 
 namespace bahnwerk::server {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "api/pointer.hpp"
+#include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
 
 namespace bahnwerk::server {

@@ -7,8 +7,8 @@
 
 #include "api/kind.hpp"
 #include "api/problem.hpp"
-#include "api/result_units.hpp"
-#include "api/setpoints.hpp"
+#include "api/setpoints/result_units.hpp"
+#include "api/setpoints/setpoints.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/uri.hpp"

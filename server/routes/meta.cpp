@@ -2,10 +2,10 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "api/embedded.hpp"
 #include "api/kind.hpp"
 #include "api/openapi.hpp"
 #include "api/problem.hpp"
+#include "api/schema/embedded.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"

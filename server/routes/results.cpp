@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
-#include "api/result_files.hpp"
-#include "api/setpoints.hpp"
+#include "api/setpoints/result_files.hpp"
+#include "api/setpoints/setpoints.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "api/job.hpp"
-#include "api/setpoints.hpp"
+#include "api/setpoints/setpoints.hpp"
 
 namespace bahnwerk::server {
 

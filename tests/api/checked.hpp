@@ -10,7 +10,7 @@
 
 #include "api/kind.hpp"
 #include "api/planned_job.hpp"
-#include "api/schema.hpp"
+#include "api/schema/schema.hpp"
 
 namespace bahnwerk::api::test {
 

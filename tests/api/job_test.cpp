@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/json_text.hpp"
 #include "api/planned_job.hpp"
+#include "api/text/json_text.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/documents.hpp"
 

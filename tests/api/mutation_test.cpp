@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "api/embedded.hpp"
-#include "api/json_text.hpp"
 #include "api/kind.hpp"
-#include "api/schema.hpp"
-#include "api/schema_explain.hpp"
+#include "api/schema/embedded.hpp"
+#include "api/schema/schema.hpp"
+#include "api/schema/schema_explain.hpp"
+#include "api/text/json_text.hpp"
 #include "tests/api/documents.hpp"
 #include "tests/core/cases.hpp"
 

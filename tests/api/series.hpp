@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "api/setpoints.hpp"
+#include "api/setpoints/setpoints.hpp"
 
 namespace bahnwerk::api::test {
 

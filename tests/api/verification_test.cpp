@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/setpoint_summary.hpp"
+#include "api/setpoints/setpoint_summary.hpp"
 
 namespace bahnwerk::api {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/base/progress.hpp"
 #include "core/cam/optimal/free_angles.hpp"
-#include "core/cam/optimal/law_bound.hpp"
-#include "core/cam/optimal/relaxation.hpp"
+#include "core/cam/optimal/relaxation/law_bound.hpp"
+#include "core/cam/optimal/relaxation/relaxation.hpp"
 
 namespace bahnwerk::cam {
 namespace {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "api/base64.hpp"
 #include "api/kinds/contour/contour.hpp"
 #include "api/limits_input.hpp"
+#include "api/text/base64.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/setpoints.hpp"
+#include "api/setpoints/setpoints.hpp"
 #include "core/cam/table/controller_table.hpp"
 
 namespace bahnwerk::api {

@@ -9,9 +9,9 @@
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/cam/optimal/free_angles.hpp"
-#include "core/cam/optimal/law_bound.hpp"
 #include "core/cam/optimal/law_faults.hpp"
-#include "core/cam/optimal/relaxation.hpp"
+#include "core/cam/optimal/relaxation/law_bound.hpp"
+#include "core/cam/optimal/relaxation/relaxation.hpp"
 
 namespace bahnwerk::cam {
 namespace {

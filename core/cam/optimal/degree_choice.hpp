@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/cam/optimal/law_task.hpp"
-#include "core/cam/optimal/spline_program.hpp"
+#include "core/cam/optimal/program/spline_program.hpp"
 
 namespace bahnwerk::cam {
 

@@ -5,7 +5,7 @@
 /// limit: a linear program with one shared peak, solved with its dual bound. T is long enough exactly if M(T) ≤ 1. If
 /// no point asks for a derivative other than 0, a stretched law is a law, too. M then falls with T and the search is a
 /// proof: below `too_short` the dual bound says M > 1.
-#include "core/cam/optimal/spline_program.hpp"
+#include "core/cam/optimal/program/spline_program.hpp"
 
 namespace bahnwerk::cam {
 

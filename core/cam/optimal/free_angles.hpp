@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/cam/optimal/spline_program.hpp"
+#include "core/cam/optimal/program/spline_program.hpp"
 
 namespace bahnwerk::cam {
 

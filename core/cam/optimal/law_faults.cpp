@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
-#include "core/cam/optimal/spline_program.hpp"
+#include "core/cam/optimal/program/spline_program.hpp"
 
 namespace bahnwerk::cam {
 namespace {

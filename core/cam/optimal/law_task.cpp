@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/cam/cam_law.hpp"
-#include "core/cam/optimal/given_sections.hpp"
+#include "core/cam/optimal/sections/given_sections.hpp"
 
 namespace bahnwerk::cam {
 namespace {

@@ -8,10 +8,10 @@
 #include "core/base/progress.hpp"
 #include "core/cam/optimal/degree_choice.hpp"
 #include "core/cam/optimal/drive.hpp"
-#include "core/cam/optimal/law_bound.hpp"
 #include "core/cam/optimal/law_faults.hpp"
-#include "core/cam/optimal/spline_program.hpp"
-#include "core/cam/optimal/straight_sections.hpp"
+#include "core/cam/optimal/program/spline_program.hpp"
+#include "core/cam/optimal/relaxation/law_bound.hpp"
+#include "core/cam/optimal/sections/straight_sections.hpp"
 
 namespace bahnwerk::cam {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/cam/optimal/law_task.hpp"
-#include "core/cam/optimal/section_basis.hpp"
+#include "core/cam/optimal/program/section_basis.hpp"
 
 namespace bahnwerk::cam {
 

@@ -16,7 +16,7 @@
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
 #include "core/plan/pipeline.hpp"
-#include "core/redundant/energy.hpp"
+#include "core/redundant/joint/energy.hpp"
 #include "core/redundant/methods/method_table.hpp"
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"

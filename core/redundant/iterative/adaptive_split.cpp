@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
-#include "core/redundant/coarse_task.hpp"
+#include "core/redundant/coarse/coarse_task.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
-#include "core/redundant/head_cells.hpp"
+#include "core/redundant/head/head_cells.hpp"
 #include "core/redundant/iterative/coarse_fit.hpp"
 #include "core/redundant/iterative/head_sections.hpp"
 #include "core/redundant/iterative/kept_knots.hpp"

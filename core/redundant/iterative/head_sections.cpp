@@ -7,7 +7,7 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/grid/sections.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
-#include "core/redundant/section_law.hpp"
+#include "core/redundant/head/section_law.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/redundant/iterative/coarse_motion.hpp"
-#include "core/redundant/joint_method.hpp"
+#include "core/redundant/joint/joint_method.hpp"
 
 namespace bahnwerk {
 namespace {

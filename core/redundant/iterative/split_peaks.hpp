@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/redundant/head_cells.hpp"
+#include "core/redundant/head/head_cells.hpp"
 #include "core/redundant/iterative/time_spline.hpp"
 
 namespace bahnwerk {

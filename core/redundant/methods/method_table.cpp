@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
-#include "core/redundant/coarse_alone.hpp"
-#include "core/redundant/coarse_task.hpp"
+#include "core/redundant/coarse/coarse_alone.hpp"
+#include "core/redundant/coarse/coarse_task.hpp"
 #include "core/redundant/iterative/iterative.hpp"
-#include "core/redundant/joint.hpp"
-#include "core/redundant/joint_method.hpp"
+#include "core/redundant/joint/joint.hpp"
+#include "core/redundant/joint/joint_method.hpp"
 #include "core/redundant/known/filter_plan.hpp"
 #include "core/redundant/known/follow_up.hpp"
 #include "core/redundant/known/geometric.hpp"

@@ -6,7 +6,7 @@
 /// The set of changes of state during a step h is a lens between (±h²/2, ±h); the polygon is enlarged by a hexagon that
 /// contains the lens and touches it at both ends and in its middle. Limits are widened by 1e-9, which exceeds all
 /// rounding errors. An empty polygon therefore proves that no motion exists. (The planner's inner approximation is
-/// core/redundant/controllable_set.hpp.)
+/// core/redundant/chain/controllable_set.hpp.)
 #include <cstddef>
 #include <vector>
 

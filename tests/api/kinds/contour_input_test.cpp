@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "api/base64.hpp"
 #include "api/kind.hpp"
 #include "api/kinds/contour/contour.hpp"
+#include "api/text/base64.hpp"
 #include "core/base/errors.hpp"
 #include "tests/api/documents.hpp"
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "api/kind.hpp"
-#include "api/setpoints.hpp"
+#include "api/setpoints/setpoints.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"

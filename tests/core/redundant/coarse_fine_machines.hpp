@@ -6,7 +6,7 @@
 #include "core/contour/builder.hpp"
 #include "core/contour/contour.hpp"
 #include "core/numeric/random.hpp"
-#include "core/redundant/joint.hpp"
+#include "core/redundant/joint/joint.hpp"
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk::test {

@@ -9,7 +9,7 @@
 #include "core/base/progress.hpp"
 #include "core/numeric/peak.hpp"
 #include "core/numeric/random.hpp"
-#include "core/redundant/joint.hpp"
+#include "core/redundant/joint/joint.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/redundant/fine_motion.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/numeric/random.hpp"
-#include "core/redundant/chain.hpp"
+#include "core/redundant/chain/chain.hpp"
 
 namespace bahnwerk::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Problems that the tests of optimal laws share.
 #include "core/base/progress.hpp"
-#include "core/cam/optimal/spline_program.hpp"
+#include "core/cam/optimal/program/spline_program.hpp"
 #include "core/cam/problem.hpp"
 #include "core/numeric/random.hpp"
 

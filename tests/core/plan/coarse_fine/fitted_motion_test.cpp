@@ -9,7 +9,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/axes/spline_motion.hpp"
-#include "core/redundant/carried_motion.hpp"
+#include "core/redundant/coarse/carried_motion.hpp"
 #include "core/verify/redundant/coarse_fine_checks.hpp"
 #include "tests/core/check_names.hpp"
 

@@ -1,0 +1,31 @@
+#include "api/text/pointer.hpp"
+
+namespace bahnwerk::api {
+
+void append_token(std::string& pointer, std::string_view token) {
+  pointer += '/';
+  for (char c : token) {
+    if (c == '~')
+      pointer += "~0";
+    else if (c == '/')
+      pointer += "~1";
+    else
+      pointer += c;
+  }
+}
+
+std::string pointer(std::string_view prefix, const std::vector<std::string>& place) {
+  std::string text(prefix);
+  for (const auto& token : place) append_token(text, token);
+  return text;
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  if (text.size() <= longest) return '"' + std::string(text) + '"';
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return '"' + std::string(text.substr(0, end)) + "…\"";
+}
+
+}  // namespace bahnwerk::api

@@ -1,0 +1,180 @@
+/// The lower bound by weak duality, and what rounding takes from equalities and multipliers.
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/cam/optimal/program/spline_program.hpp"
+
+namespace bahnwerk::cam {
+
+double position_bound(const LawTask& task, double upper) {
+  double position = -1, velocity = -1, acceleration = -1;
+  std::vector<std::pair<double, double>> known;  // time, |s| at most
+  for (const LawTask::Condition& condition : task.conditions) {
+    const double most = std::max(std::abs(condition.range.min), std::abs(condition.range.max));
+    if (!std::isfinite(most)) continue;
+    if (condition.order == 0) position = most;
+    if (condition.order == 1) velocity = most;
+    if (condition.order == 2) acceleration = most;
+  }
+  if (position < 0) return 0;
+  const double t = task.cycle;
+  if (task.weight[1] > 0) return position + upper / task.weight[1] * t;
+  if (task.periodic)
+    velocity = acceleration = 0;  // a periodic law is at rest somewhere, and has no acceleration somewhere
+  if (velocity < 0) return 0;
+  if (task.weight[2] > 0) return position + (velocity + upper / task.weight[2] * t) * t;
+  if (acceleration < 0 || !(task.weight[3] > 0)) return 0;
+  return position + (velocity + (acceleration + upper / task.weight[3] * t) * t) * t;
+}
+
+/// Changes the multipliers least, in the last factors' measure, so that they become dual feasible but for rounding, as
+/// long as the bound grows by it. Returns the bound.
+double SplineProgram::settle_multipliers(const SplineResult& law) {
+  std::vector<double> gx(point_.z.size()), ex(point_.y.size()), y(point_.y.size());
+  double bound = lower_bound(law);
+  for (int refinement = 0; refinement < 3; ++refinement) {
+    const std::vector<double> last_y = point_.y, last_z = point_.z;
+    DualValue dual = dual_value(band_, point_.y, point_.z);
+    for (double& value : dual.residual) value = -value;
+    std::fill(y.begin(), y.end(), 0.0);
+    solve_refined(band_, band_.weights(), dual.residual, y);
+    band_.multiply(dual.residual, gx, ex);
+    for (std::size_t i = 0; i < point_.z.size(); ++i)
+      point_.z[i] = std::max(point_.z[i] * 1e-3, point_.z[i] + band_.weights()[i] * gx[i]);
+    for (std::size_t i = 0; i < y.size(); ++i) point_.y[i] += y[i];
+    const double now = lower_bound(law);
+    if (!(now > bound)) {  // rounding, or factors that failed
+      point_.y = last_y;
+      point_.z = last_z;
+      break;
+    }
+    bound = now;
+  }
+  return bound;
+}
+
+/// Returns how far a law with J ≤ upper may be from the current one inside a section: both pass the nearest position
+/// that is known, and neither is faster than its J allows. Infinite where nothing limits that.
+double SplineProgram::reach(std::size_t section, double upper, double peak_velocity) const {
+  double least = std::numeric_limits<double>::infinity();
+  if (!(task_.weight[1] > 0)) return least;
+  const double speed = upper / task_.weight[1] + peak_velocity;
+  for (const LawTask::Condition& condition : task_.conditions) {
+    if (condition.order != 0 || !std::isfinite(condition.range.max - condition.range.min)) continue;
+    for (const double cycles : {-1.0, 0.0, 1.0}) {
+      if (cycles != 0 && !task_.periodic) continue;
+      const double at = times_[condition.point] + cycles * task_.cycle;
+      const double far = std::max(std::abs(breaks_[section] - at), std::abs(breaks_[section + 1] - at));
+      least = std::min(least, condition.range.max - condition.range.min + speed * far);
+    }
+  }
+  return least;
+}
+
+/// Returns a bound by weak duality: cᵀx ≥ value + residualᵀx for every x that is feasible. The residual's worth is
+/// taken at the current law, less the largest difference of another law from it.
+double SplineProgram::lower_bound(const SplineResult& law) const {
+  const DualValue dual = dual_value(band_, point_.y, point_.z);
+  const double upper = law.objective;
+  double bound = dual.value;
+  const std::size_t size = basis_.size(), n = basis_.degree();
+  double magnitude = position_bound(task_, upper);
+  if (magnitude == 0) {
+    for (std::size_t i = 0; i < band_.band_variables(); ++i)
+      magnitude = std::max(magnitude, 1e3 * std::abs(point_.x[i]));
+  }
+  // The residual of a section's coefficients is written as a sum of values of the law at points.
+  Eigen::MatrixXd collocation = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
+  std::vector<double> weights(n + 1);
+  for (std::size_t j = 0; j < size; ++j) {
+    double sum = 0;  // Greville abscissa, in pieces
+    for (std::size_t k = 1; k <= n; ++k)
+      sum += std::clamp(static_cast<double>(j + k) - static_cast<double>(n), 0.0, static_cast<double>(basis_.pieces()));
+    const double u = sum / static_cast<double>(n);
+    const std::size_t piece = std::min(basis_.pieces() - 1, static_cast<std::size_t>(u));
+    basis_.weights(piece, u - static_cast<double>(piece), 0, weights.data());
+    for (std::size_t k = 0; k <= n; ++k)
+      collocation(static_cast<Eigen::Index>(piece + k), static_cast<Eigen::Index>(j)) = weights[k];
+  }
+  const Eigen::PartialPivLU<Eigen::MatrixXd> factors(collocation);
+  for (std::size_t section = 0; section < task_.sections(); ++section) {
+    if (task_.is_given(section)) continue;  // the variables of a given section are 0
+    const Eigen::Map<const Eigen::VectorXd> residual(dual.residual.data() + section * size,
+                                                     static_cast<Eigen::Index>(size));
+    const double apart = reach(section, upper, law.peaks[1]), price = factors.solve(residual).lpNorm<1>();
+    if (apart < magnitude) {
+      const Eigen::Map<const Eigen::VectorXd> here(point_.x.data() + section * size, static_cast<Eigen::Index>(size));
+      bound += residual.dot(here) - price * apart;
+    } else {
+      bound -= price * magnitude;
+    }
+  }
+  for (std::size_t r = 1; r < limited_orders; ++r)
+    if (counted(static_cast<int>(r))) {
+      bound -= std::max(0.0, -dual.residual[band_.border_index(peak_border_[r])]) * upper /
+               (task_.weight[r] * unit_[r]);  // peaks are not negative
+      if (task_.largest_peak) break;
+    }
+  return bound * unit_objective_;
+}
+
+/// Takes out with the last factors what is missing in the equalities, whose multipliers may be large.
+void SplineProgram::settle_equalities() {
+  std::vector<double> gx(band_.inequality_side().size()), ex(point_.y.size()), x(point_.x.size());
+  std::vector<double> kept;
+  double least = std::numeric_limits<double>::infinity();
+  for (int refinement = 0;; ++refinement) {
+    band_.multiply(point_.x, gx, ex);
+    double worst = 0;
+    for (std::size_t i = 0; i < ex.size(); ++i) {
+      ex[i] = band_.equality_side()[i] - ex[i];
+      worst = std::max(worst, std::abs(ex[i]));
+    }
+    if (!(worst < least)) {  // rounding, or factors that failed
+      if (!kept.empty()) point_.x = std::move(kept);
+      return;
+    }
+    if (refinement == 6) return;
+    least = worst;
+    kept = point_.x;
+    std::fill(x.begin(), x.end(), 0.0);
+    band_.solve(x, ex);
+    for (std::size_t i = 0; i < band_.band_variables(); ++i) point_.x[i] += x[i];
+  }
+}
+
+/// Takes out the residuals that the interior-point method has left at points by the smoothest change: those of
+/// equalities where its last factors were bad, and those of ranges, by as little as a program may.
+void SplineProgram::settle_points() {
+  constexpr double rounding = 1e-13;
+  const std::vector<double>& g = band_.inequality_side();
+  std::vector<double> gx(g.size()), ex(point_.y.size()), x(point_.x.size()), y(point_.y.size());
+  const std::vector<double> none(point_.y.size(), 0);
+  std::vector<double> weights(g.size(), row_weight());
+  for (int pass = 0; pass < 3; ++pass) {
+    band_.multiply(point_.x, gx, ex);
+    bool off = false;
+    for (std::size_t i = 0; i < ex.size(); ++i) {
+      y[i] = band_.equality_side()[i] - ex[i];
+      off = off || std::abs(y[i]) > rounding;
+    }
+    std::vector<double> push(g.size(), 0);
+    for (std::size_t i = 0; i < ranges_.size(); ++i)
+      for (const std::size_t side : {band_.upper_side(i), band_.lower_side(i)}) {
+        if (side == BorderedRow::none || !(gx[side] - g[side] > rounding)) continue;
+        weights[side] = 1;
+        push[side] = g[side] - gx[side];
+        off = true;
+      }
+    if (!off || !band_.factor(weights)) return;
+    std::fill(x.begin(), x.end(), 0.0);
+    band_.add_transposed(push, none, x);
+    band_.solve(x, y);
+    for (std::size_t i = 0; i < band_.band_variables(); ++i) point_.x[i] += x[i];
+  }
+  settle_equalities();
+}
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,62 @@
+/// A step in coefficients and angles together.
+#include <algorithm>
+
+#include "core/base/progress.hpp"
+#include "core/cam/optimal/program/spline_program.hpp"
+
+namespace bahnwerk::cam {
+
+JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progress& progress) {
+  initial_samples();
+  for (const LawSample& sample : samples) samples_.push_back({sample});
+  // The law at the times as they are is the start: it keeps all rows, with peaks above its own.
+  point_.x.assign(band_.band_variables() + band_.borders(), 0);
+  std::copy(reference_->coefficients.begin(), reference_->coefficients.end(), point_.x.begin());
+  point_.y.assign(band_.equality_side().size(), 0);
+  SplineResult law;
+  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = first_units[r];
+  add_rows();
+  evaluate(law, false);
+  set_units(law.peaks);
+  set_peaks(law.peaks, 1.1);
+  add_rows();
+  for (std::size_t i = 0; i < task_.points(); ++i) {
+    if (time_border_[i] == BorderedRow::none) continue;
+    const BorderedRow::Term one[] = {{time_border_[i], 1}};
+    BorderedRow row;
+    row.border = one;
+    const double radius = reference_->radius[i];
+    row.lower = std::max(-radius, task_.at[i].min - times_[i]);
+    row.upper = std::min(radius, task_.at[i].max - times_[i]);
+    // Rows are of the order of 1.
+    const BorderedRow::Term scaled[] = {{time_border_[i], 1 / radius}};
+    row.border = scaled;
+    row.lower /= radius;
+    row.upper /= radius;
+    band_.add_row(row);
+    point_.x[band_.border_index(time_border_[i])] = radius * std::clamp((row.lower + row.upper) / 2, -0.2, 0.2);
+  }
+  range_state_.resize(fixed_rows());
+  set_point(0.05 / static_cast<double>(band_.rows()));
+  InteriorPointOptions interior;
+  interior.gap = 1e-8;
+  interior.residual = 1e-8;
+  interior.max_iterations = 50;
+  interior.tick = [&] { progress.report("optimal law", 0); };
+  const InteriorPointResult inner = solve_interior_point(band_, point_, interior);
+  JointStep step;
+  step.converged = inner.gap < 1e-3 && inner.primal_residual < 1e-4;
+  step.times = times_;
+  for (std::size_t i = 0; i < task_.points(); ++i)
+    if (time_border_[i] != BorderedRow::none)
+      step.times[i] =
+          std::clamp(times_[i] + point_.x[band_.border_index(time_border_[i])], task_.at[i].min, task_.at[i].max);
+  for (std::size_t r = 1; r < limited_orders; ++r)
+    if (task_.largest_peak)
+      step.objective = point_.x[band_.border_index(0)];
+    else if (counted(static_cast<int>(r)))
+      step.objective += task_.weight[r] * unit_[r] * point_.x[band_.border_index(peak_border_[r])];
+  return step;
+}
+
+}  // namespace bahnwerk::cam

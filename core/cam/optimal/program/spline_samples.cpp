@@ -1,0 +1,208 @@
+/// Evaluates the current law: its true peaks and violations, and the sample points that its extrema and contacts ask
+/// for.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
+#include "core/cam/optimal/extrema.hpp"
+#include "core/cam/optimal/program/spline_program.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+constexpr double significant = 0.01;  // part of the largest multiplier of a section that makes a contact
+constexpr double near_peak = 0.9;     // extrema above this part of a peak become sample points
+
+}  // namespace
+
+void SplineProgram::initial_samples() {
+  samples_.clear();
+  const std::size_t n = basis_.degree();
+  for (std::size_t section = 0; section < task_.sections(); ++section)
+    for (int r = 0; r < limited_orders && !task_.is_given(section); ++r) {
+      const Range& limit = task_.limits[section][static_cast<std::size_t>(r)];
+      const bool peak = r > 0 && counted(r), limited = !limit.free() && !limit.fixed();
+      if (!peak && !limited) continue;
+      const std::size_t degree = n > static_cast<std::size_t>(r) ? n - static_cast<std::size_t>(r) : 0;
+      const std::size_t count = degree + 2;
+      for (std::size_t piece = 0; piece < basis_.pieces(); ++piece)
+        for (std::size_t k = 0; k < count; ++k) {
+          const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+          const double v = 0.5 - 0.5 * std::cos(std::numbers::pi * share);
+          // Where pieces meet, one of them has the sample.
+          if (k + 1 == count && piece + 1 < basis_.pieces() && degree > 0) continue;
+          if (peak && !shared_begin({section, piece, v, r, false})) samples_.push_back({{section, piece, v, r, false}});
+          if (limited && !pinned({section, piece, v, r, true})) samples_.push_back({{section, piece, v, r, true}});
+        }
+    }
+}
+
+std::vector<double> SplineProgram::derivative(const double* x, std::size_t section, std::size_t piece,
+                                              int order) const {
+  std::vector<double> b(basis_.degree() + 1);
+  basis_.bernstein(piece, x + section * basis_.size(), b.data());
+  const double scale = static_cast<double>(basis_.pieces()) / lengths_[section];
+  for (int r = 0; r < order; ++r) {
+    differentiate_bernstein(b);
+    for (double& value : b) value *= scale;
+  }
+  return b;
+}
+
+void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
+  found_.clear();
+  result.peaks = {};
+  result.violation = 0;
+  std::vector<Extremum> extrema;
+  std::array<double, limited_orders> peaks{};
+  for (const Floor& floor : floors_) {
+    double& peak = peaks[static_cast<std::size_t>(floor.order)];
+    peak = std::max(peak, floor.peak);
+  }
+  for (std::size_t section = 0; section < task_.sections(); ++section)
+    for (int order = 0; order < limited_orders && !task_.is_given(section); ++order) {
+      const auto r = static_cast<std::size_t>(order);
+      const Range& limit = task_.limits[section][r];
+      const bool peak = order > 0 && counted(order);
+      if (!peak && limit.free()) continue;
+      for (std::size_t piece = 0; piece < basis_.pieces(); ++piece) {
+        const std::vector<double> b = derivative(point_.x.data(), section, piece, order);
+        double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
+        if (enclosed) {
+          if (peak) peaks[r] = std::max(peaks[r], greatest_magnitude(b).value);
+          if (!limit.free()) {
+            highest = greatest_value(b).value;
+            std::vector<double> minus = b;
+            for (double& value : minus) value = -value;
+            lowest = -greatest_value(minus).value;
+          }
+        } else {
+          find_extrema(b, extrema);
+          for (const Extremum& each : extrema) {
+            highest = std::max(highest, each.value);
+            lowest = std::min(lowest, each.value);
+          }
+          if (peak) peaks[r] = std::max({peaks[r], highest, -lowest});
+          const double last_peak = peak ? point_.x[band_.border_index(peak_border_[r])] * unit_[r] : 0;
+          for (const Extremum& each : extrema) {
+            const LawSample peak_sample{section, piece, each.at, order, false};
+            const LawSample limit_sample{section, piece, each.at, order, true};
+            if (peak && std::abs(each.value) > near_peak * last_peak && !shared_begin(peak_sample))
+              found_.push_back(peak_sample);
+            if (limit.fixed()) continue;
+            if ((each.value > limit.max - 1e-3 * unit_[r] || each.value < limit.min + 1e-3 * unit_[r]) &&
+                !pinned(limit_sample)) {
+              found_.push_back(limit_sample);
+              // Near an end of the section each further extremum is nearer by half: samples are placed ahead of it.
+              const bool begins = piece == 0 && each.at > 0 && each.at < 0.1;
+              const bool ends = piece + 1 == basis_.pieces() && each.at < 1 && each.at > 0.9;
+              for (const double share : {0.25, 0.0625})
+                if (begins || ends)
+                  found_.push_back({section, piece, begins ? share * each.at : 1 - share * (1 - each.at), order, true});
+            }
+          }
+        }
+        if (!limit.free())
+          result.violation =
+              std::max({result.violation, (highest - limit.max) / unit_[r], (limit.min - lowest) / unit_[r]});
+      }
+    }
+  result.limit_violation = result.violation;
+  result.peaks = peaks;
+  result.objective = 0;
+  for (std::size_t r = 1; r < limited_orders; ++r) {
+    const double part = task_.weight[r] * peaks[r];
+    result.objective = task_.largest_peak ? std::max(result.objective, part) : result.objective + part;
+  }
+  std::vector<double> gx(band_.inequality_side().size()), ex(point_.y.size());
+  band_.multiply(point_.x, gx, ex);
+  for (std::size_t i = 0; i < ex.size(); ++i) {  // rounding aside, these hold
+    const double missing = std::abs(ex[i] - band_.equality_side()[i]);
+    if (missing > 1e-9) result.violation = std::max(result.violation, missing);
+  }
+  for (std::size_t i = 0; i < ranges_.size(); ++i)
+    for (const std::size_t side : {band_.upper_side(i), band_.lower_side(i)})
+      if (side != BorderedRow::none)
+        result.violation = std::max(result.violation, gx[side] - band_.inequality_side()[side]);
+}
+
+/// Sample points of the next round: the extrema of the last law, and for each contact where the multipliers have their
+/// centre with two points close by. Where a peak is touched by a maximum that can move, the law of a program with some
+/// points leans on the two next to it, and the multipliers' centre is the contact but for the square of their distance;
+/// extrema alone would only halve it each round.
+void SplineProgram::exchange() {
+  const auto keep = [&](Sampled& sampled, std::size_t row) {
+    const std::size_t upper = band_.upper_side(row), lower = band_.lower_side(row);
+    sampled.slack = BorderedRow::unlimited;
+    if (upper != BorderedRow::none) sampled.upper = point_.z[upper], sampled.slack = point_.s[upper];
+    if (lower != BorderedRow::none)
+      sampled.lower = point_.z[lower], sampled.slack = std::min(sampled.slack, point_.s[lower]);
+  };
+  for (std::size_t i = 0; i < fixed_rows(); ++i) keep(range_state_[i], i);
+  for (std::size_t i = 0; i < samples_.size(); ++i) keep(samples_[i], fixed_rows() + i);
+  const auto group = [](const LawSample& a) { return std::tuple(a.section, a.order, a.limit); };
+  const auto place = [](const LawSample& a) { return static_cast<double>(a.piece) + a.v; };
+  // Rows of one section, order and kind, ascending.
+  std::vector<std::size_t> order(samples_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const LawSample &x = samples_[a].sample, &y = samples_[b].sample;
+    return std::tuple(group(x), place(x)) < std::tuple(group(y), place(y));
+  });
+  const auto add = [&](LawSample sample, double at) {
+    at = std::clamp(at, 0.0, static_cast<double>(basis_.pieces()));
+    sample.piece = std::min(static_cast<std::size_t>(at), basis_.pieces() - 1);
+    sample.v = at - static_cast<double>(sample.piece);
+    found_.push_back(sample);
+  };
+  const double together = 0.5 / static_cast<double>(basis_.degree());
+  for (std::size_t begin = 0; begin < order.size();) {
+    std::size_t end = begin;
+    while (end < order.size() && group(samples_[order[end]].sample) == group(samples_[order[begin]].sample)) ++end;
+    for (const auto side : {&Sampled::upper, &Sampled::lower}) {
+      double most = 0;
+      for (std::size_t k = begin; k < end; ++k) most = std::max(most, samples_[order[k]].*side);
+      for (std::size_t k = begin; k < end && most > 0;) {
+        if (samples_[order[k]].*side < significant * most) {
+          ++k;
+          continue;
+        }
+        // A contact consists of points of some weight beside each other, or nearer than contacts of this degree are.
+        double mass = 0, moment = 0;
+        const std::size_t from = k;
+        std::size_t last = k;
+        for (; k < end &&
+               (k <= last + 1 || place(samples_[order[k]].sample) - place(samples_[order[last]].sample) < together);
+             ++k) {
+          const double z = samples_[order[k]].*side;
+          if (z < significant * most) continue;
+          mass += z;
+          moment += z * place(samples_[order[k]].sample);
+          last = k;
+        }
+        k = last + 1;
+        if (last == from) continue;
+        const LawSample& first = samples_[order[from]].sample;
+        const double width = place(samples_[order[last]].sample) - place(first), centre = moment / mass;
+        if (width < 1e-5) continue;
+        for (const double share : {-0.05, 0.0, 0.05}) add(first, centre + share * width);
+      }
+    }
+    begin = end;
+  }
+  // Points far from any contact have done their part.
+  std::size_t kept = initial_;
+  for (std::size_t i = initial_; i < samples_.size(); ++i)
+    if (samples_[i].slack < 0.3) samples_[kept++] = samples_[i];
+  samples_.resize(kept);
+  for (const LawSample& sample : found_) {
+    const bool known = std::any_of(samples_.begin(), samples_.end(), [&](const Sampled& other) {
+      return group(other.sample) == group(sample) && std::abs(place(other.sample) - place(sample)) < 1e-6;
+    });
+    if (!known) samples_.push_back({sample});
+  }
+}
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,54 @@
+#pragma once
+/// The rows of the relaxation (relaxation.hpp): what node values and peaks of every law satisfy.
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/cam/optimal/law_task.hpp"
+#include "core/cam/optimal/relaxation/relaxation_grid.hpp"
+#include "core/cam/optimal/sections/known_law.hpp"
+#include "core/numeric/interior_point/bordered_band.hpp"
+
+namespace bahnwerk::cam {
+
+/// Variables are position, velocity and acceleration at every node, and one peak per order that counts. All are in
+/// parts of the known law's peaks, J in parts of its J.
+class RelaxationProgram {
+ public:
+  /// `ranges` are ascending as tighten() leaves them; task and ranges outlive the program.
+  RelaxationProgram(const LawTask& task, const std::vector<Range>& ranges, const KnownLaw& law, std::size_t cells);
+
+  BorderedBand& band() { return band_; }
+  const RelaxationGrid& grid() const { return grid_; }
+  /// Returns the variable of s^(order) at a node; that of order 0 is the first of three.
+  static std::size_t variable(std::size_t node, int order) { return 3 * node + static_cast<std::size_t>(order); }
+  bool counted(std::size_t order) const { return counted_[order]; }
+  std::size_t peak_variable(std::size_t order) const { return band_.border_index(border_[order]); }
+  double peak_unit(std::size_t order) const { return unit_[order]; }       ///< unit of the peak of an order
+  double node_unit(std::size_t order) const { return node_unit_[order]; }  ///< unit of a node's value of an order
+  double objective_unit() const { return scale_; }
+
+ private:
+  void add_nodes();
+  void pin(std::size_t node, int order, double value);
+  bool join_constant_sections(std::size_t node);
+  void add_floors();
+  void add_points();
+  void add_cells();
+  void equal(std::size_t a, std::size_t b, bool far);
+  void row(std::size_t first, std::span<const double> weights, Range range, int elastic, double elastic_weight);
+
+  const LawTask& task_;
+  const std::vector<Range>& ranges_;
+  const RelaxationGrid grid_;
+  BorderedBand band_;
+  std::array<bool, limited_orders> counted_{};
+  std::array<double, limited_orders> unit_{};
+  std::array<std::size_t, limited_orders> border_{};
+  double node_unit_[3];
+  double scale_ = 0;
+  std::vector<bool> pinned_;  // whether each variable is pinned to 0
+};
+
+}  // namespace bahnwerk::cam

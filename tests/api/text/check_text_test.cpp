@@ -1,0 +1,51 @@
+#include "api/text/check_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace bahnwerk::api {
+namespace {
+
+std::string name(const Checked& what, double limit = 1) { return check_name(what, limit); }
+
+TEST(CheckText, SubjectsStandWhereTheyAreSaid) {
+  using enum CheckedQuantity;
+  EXPECT_EQ(name({axis, 0, "mm", "x"}), "range x");
+  EXPECT_EQ(name({axis, 3, "rad", "q2"}), "jerk q2");
+  EXPECT_EQ(name({axis, 4, "mm", "y"}), "snap y");
+  EXPECT_EQ(name({continuity, 1}), "continuity of velocity");
+  EXPECT_EQ(name({continuity, 1, "mm", "coarse"}), "coarse continuity of velocity");
+  EXPECT_EQ(name({rows, 2, "mm", "coarse"}), "coarse setpoints acceleration");
+  EXPECT_EQ(name({wires_missing, 0, "1", "raabe, head"}), "wires missing raabe, head");
+  EXPECT_EQ(name({path, 2}), "path acceleration");
+  EXPECT_EQ(name({path_differences, 1}), "setpoint path velocity");
+}
+
+TEST(CheckText, FeedsAreTheirLimits) {
+  EXPECT_EQ(name({CheckedQuantity::feed, 1}, 400), "path velocity (feed 400)");
+  EXPECT_EQ(name({CheckedQuantity::feed, 1}, 0.125), "path velocity (feed 0.125)");
+}
+
+TEST(CheckText, UnitsFollowTheOrder) {
+  const CheckedQuantity axis = CheckedQuantity::axis;
+  EXPECT_EQ(check_unit({axis, 0, "rad"}), "rad");
+  EXPECT_EQ(check_unit({axis, 1, "mm"}), "mm/s");
+  EXPECT_EQ(check_unit({axis, 2, "mm"}), "mm/s²");
+  EXPECT_EQ(check_unit({axis, 3, "mm"}), "mm/s³");
+  EXPECT_EQ(check_unit({axis, 4, "deg"}), "deg/s⁴");
+}
+
+TEST(CheckText, EveryQuantityHasANameOfItsOwn) {
+  std::set<std::string> names;
+  int count = 0;
+  for (int q = 1; q <= static_cast<int>(CheckedQuantity::path_differences); ++q, ++count) {
+    const std::string text = name({static_cast<CheckedQuantity>(q), 1, "mm", "x"});
+    EXPECT_NE(text, "x") << q;
+    EXPECT_TRUE(names.insert(text).second) << text;
+  }
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(count));
+}
+
+}  // namespace
+}  // namespace bahnwerk::api
