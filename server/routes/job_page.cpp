@@ -1,5 +1,6 @@
 #include "server/routes/job_page.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -43,17 +44,10 @@ std::string number(double value) {
   return {text.data(), end};
 }
 
-std::string text_of(const ordered_json& value) {
-  if (value.is_number_float()) return number(value.get<double>());
-  if (value.is_string()) return escape_html(value.get<std::string>());
-  if (value.is_object()) {
-    std::string list;
-    for (const auto& [key, member] : value.items())
-      list += (list.empty() ? "" : ", ") + escape_html(key) + " " + text_of(member);
-    return list;
-  }
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  return escape_html(value.dump());
+/// Returns a member's name as a page shows it.
+std::string shown_name(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return escape_html(name);
 }
 
 /// Returns a table of `part`, summary or bound, of a kind's result, with the units of the kind's schema.
@@ -61,11 +55,8 @@ std::string rows_of(const ordered_json& object, const std::string& kind, std::st
   std::string rows;
   if (!object.is_object()) return rows;
   for (const auto& [key, value] : object.items()) {
-    std::string name = key;
-    for (char& c : name)
-      if (c == '_') c = ' ';
     const std::string unit = value.is_number() || value.is_object() ? api::result_unit(kind, part, key) : std::string();
-    rows += "<tr><th>" + escape_html(name) + "</th><td>" + text_of(value);
+    rows += "<tr><th>" + shown_name(key) + "</th><td>" + shown_value(value);
     if (!unit.empty()) rows.append(" ").append(unit);
     rows += "</td></tr>\n";
   }
@@ -98,9 +89,9 @@ std::string verification(const ordered_json& verdict) {
                      "class=\"n\">limit</th>"
                      "<th>unit</th><th class=\"n\">at</th><th></th></tr></thead>\n";
   for (const auto& check : verdict["checks"])
-    text += "<tr><td>" + text_of(check["name"]) + "</td><td class=\"n\">" + text_of(check["value"]) +
-            "</td><td class=\"n\">" + text_of(check["limit"]) + "</td><td>" + text_of(check["unit"]) +
-            "</td><td class=\"n\">" + text_of(check["at"]) + "</td><td>" +
+    text += "<tr><td>" + shown_value(check["name"]) + "</td><td class=\"n\">" + shown_value(check["value"]) +
+            "</td><td class=\"n\">" + shown_value(check["limit"]) + "</td><td>" + shown_value(check["unit"]) +
+            "</td><td class=\"n\">" + shown_value(check["at"]) + "</td><td>" +
             (check.value("passed", false) ? "passed" : "<strong>failed</strong>") + "</td></tr>\n";
   return text + "</table></div>\n";
 }
@@ -183,7 +174,7 @@ std::string body(const api::Job& job, const ordered_json& result) {
       text += "<h2>Bound</h2>\n<table>\n" + rows_of(result["bound"], job.request.kind, "bound") + "</table>\n";
     if (details.contains("notes") && !details["notes"].empty()) {
       text += "<h2>Notes</h2>\n<ul>";
-      for (const auto& note : details["notes"]) text += "<li>" + text_of(note) + "</li>";
+      for (const auto& note : details["notes"]) text += "<li>" + shown_value(note) + "</li>";
       text += "</ul>\n";
     }
     text += verification(result.value("verification", ordered_json()));
@@ -197,6 +188,24 @@ Response uncached(Response response) {
 }
 
 }  // namespace
+
+std::string shown_value(const ordered_json& value) {
+  if (value.is_number_float()) return number(value.get<double>());
+  if (value.is_string()) return escape_html(value.get<std::string>());
+  if (value.is_null()) return "–";
+  std::string list;
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items())
+      list += (list.empty() ? "" : ", ") + shown_name(key) + " " + shown_value(member);
+    return list;
+  }
+  if (value.is_array()) {
+    for (const ordered_json& entry : value) list += (list.empty() ? "" : "<br>") + shown_value(entry);
+    return list;
+  }
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  return escape_html(value.dump());
+}
 
 std::string time_label(std::int64_t ms) {
   const std::string text = api::rfc3339(ms);
