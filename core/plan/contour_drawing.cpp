@@ -352,7 +352,7 @@ class Drawer {
       std::snprintf(words, sizeof words, "drawn to %.2g mm", tolerance / views_[0].scale);
       out += svg::text({x + 8, 42}, words, "fill=\"#5c6570\" font-size=\"12\"");
     }
-    if (end) *end = x + 8 + 6.6 * static_cast<double>(std::string("drawn to 1.2e-05 mm").size());
+    if (end) *end = x + 8 + 7.4 * static_cast<double>(std::string("drawn to 1.2e-05 mm").size());
     return out;
   }
 
