@@ -29,7 +29,7 @@ class WindowSolverTest : public ::testing::Test {
   const LanePath<2> path{axes};
   const Machine lanes = path.limits(machine);
   const std::vector<double> feeds = contour.feeds();
-  const AccelerationLimitedOptions options;
+  const AccelerationLimitedOptions options{};
   SilentProgress silent;
   ProgressScope scope{silent, "planning", 0, 1};
   const Sections sections = find_sections(contour_task(axes, contour, machine), options.corner_angle, scope);
