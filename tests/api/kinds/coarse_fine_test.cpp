@@ -256,7 +256,7 @@ TEST(CoarseFine, TheSummaryTellsWhatGaveWay) {
     EXPECT_EQ(job.result["details"]["redundancy"]["fallbacks"], 1);
     EXPECT_EQ(job.result["summary"]["gave_way"].size(), 1u);
     json found = job.result["summary"]["gave_way"].at(0);
-    EXPECT_EQ(found["used_duration"], job.result["summary"]["duration"]);
+    EXPECT_EQ(found["used_duration"], job.result["summary"]["duration"].get<double>());
     return found;
   };
   const json lost = row(slow), slower = row(spec);
