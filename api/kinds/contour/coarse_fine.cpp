@@ -305,7 +305,7 @@ void report_prefilter(const RedundancyOptions& options, double cycle_time, KindR
 }
 
 void check_range(const CoarseFineMachine& machine, const Contour& contour, std::vector<InputFault>& faults) {
-  constexpr int places = 32;  // of a curve
+  constexpr int places = 32;  // places per curve
   for (std::size_t k = 0; k < std::min(machine.axes.size(), contour.dimension); ++k) {
     const CoarseFineAxis& axis = machine.axes[k];
     double least = unlimited, most = -unlimited;

@@ -32,7 +32,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double largest_excess = 1e-4;  // of a limit, that counts as rounding
+constexpr double largest_excess = 1e-4;  // largest excess over a limit, relative, that counts as rounding
 constexpr int max_corrections = 4;
 constexpr std::size_t slow_lines_listed = 20, slow_sections_listed = 100;
 constexpr double slow_section = 1e-4;  // gap above which a section is listed
@@ -94,7 +94,7 @@ class CoarseFineProblem final : public MotionProblem {
   /// The motion before reparametrisation, or the joint planner's, or that of the coarse axes alone, as alternatives.
   bool plan_otherwise() override {
     if (found_ && std::find(result_.notes.begin(), result_.notes.end(), backwards_note) != result_.notes.end()) {
-      either_direction_ = false;  // as it is planned in the direction of time, first
+      either_direction_ = false;  // the next plan is in the direction of time alone
       if (tried(planned)) return true;
     }
     for (std::optional<RedundancyOptions> next = another(tried_); next; next = another(*next)) {
@@ -139,7 +139,7 @@ class CoarseFineProblem final : public MotionProblem {
   bool correct(const Verification& verdict) override {
     const double more = slower(verdict);
     if (more == 1) return false;
-    stretch_ = factor_ * more;  // of what was verified, whole cycles included
+    stretch_ = factor_ * more;  // stretch of what was verified, whole cycles included
     return true;
   }
 
@@ -351,7 +351,7 @@ class CoarseFineProblem final : public MotionProblem {
   std::shared_ptr<const Contour> given_, contour_;
   std::size_t moving_ = 0;
   PathPlanning path_;
-  Machine moving_head_;  // of the axes that move, what bounds are made of
+  Machine moving_head_;  // the axes that move, from which bounds follow
   std::vector<AxisLimits> moving_coarse_, moving_fine_;
   std::vector<SectionBound> section_bounds_;
   Machine coarse_machine_;

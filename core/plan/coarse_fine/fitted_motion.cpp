@@ -11,7 +11,9 @@ FittedMotion::FittedMotion(std::shared_ptr<const Motion> motion, double factor, 
                            std::vector<double> still, int rest)
     : motion_(std::move(motion)), factor_(factor), duration_(law.duration()), still_(std::move(still)) {
   if (axes() > max_axes) throw std::invalid_argument("a motion has eight axes at most");
-  constexpr double same = 64 * std::numeric_limits<double>::epsilon();  // of t: what rounding leaves of equal times
+  constexpr double same =
+      64 *
+      std::numeric_limits<double>::epsilon();  // largest relative difference of times that rounding makes of equal ones
   begin_.reserve(motion_->pieces());
   std::size_t i = 0;
   for (std::size_t piece = 0; piece < motion_->pieces(); ++piece) {

@@ -12,8 +12,8 @@ namespace bahnwerk {
 namespace {
 
 constexpr double strokes[] = {0.5, 1, 2, 5, 10, 20, 35, 50, 75, 100};  // mm
-constexpr double factors[] = {0.25, 0.5, 0.75, 1, 1.5, 2};             // of the fine accelerations
-constexpr double other_factors[] = {0.5, 0.75, 1, 1.5, 2};             // of all other limits
+constexpr double factors[] = {0.25, 0.5, 0.75, 1, 1.5, 2};             // factors of the fine accelerations
+constexpr double other_factors[] = {0.5, 0.75, 1, 1.5, 2};             // factors of all other limits
 constexpr const char* stage = "machine study";
 
 /// Returns the studied figure of an axis.

@@ -10,8 +10,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double margin = 1e-9;  // of all limits: rounding
-constexpr double slower = 1e-9;  // relative, that counts as none
+constexpr double margin = 1e-9;  // share of all limits that is left to rounding
+constexpr double slower = 1e-9;  // largest relative difference of durations that counts as rounding
 
 }  // namespace
 

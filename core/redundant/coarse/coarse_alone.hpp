@@ -10,8 +10,8 @@ namespace bahnwerk {
 RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                    double at);
 
-/// Returns `found`, or the coarse axes alone where they are quicker and stay within their ranges: then one fallback
-/// more, with a note.
+/// Returns `found`, or the coarse axes alone where they are quicker and stay within their ranges: then `gave_way` has
+/// one row more, and `notes` a sentence.
 RedundancyResult quicker_than_coarse_alone(RedundancyResult found, const RedundancyTask& task,
                                            const RedundancyOptions& options, Progress& progress, double at);
 

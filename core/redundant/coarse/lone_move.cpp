@@ -17,7 +17,7 @@ constexpr double share = 1 - 1e-10;  // used share of limits and strokes, so tha
 constexpr double places = 32 * std::numeric_limits<double>::epsilon();
 constexpr double least_way = 1e-9;  // least share of the move for the coarse axes if both stages move in proportion
 constexpr int halvings = 60;
-constexpr int parts = 16, thirds = 60;  // of the search for σ
+constexpr int parts = 16, thirds = 60;  // parts of the range of σ, and steps of the search in each
 constexpr double rounding = 1e-13;      // relative duration of pieces that are left out
 
 /// Limits of one stage along the line.
@@ -223,7 +223,7 @@ class Search {
     const double most = std::min(most_, 0.5 * length_ * (1 - least_way));
     const auto time = [&](double half) { return moved(length_, proportional(half)).duration; };
     double best = 0, least = time(0);
-    for (int i = 0; i < parts; ++i) {  // in every part a search as if there were one minimum
+    for (int i = 0; i < parts; ++i) {  // each part is searched as if it had one minimum
       double low = most * i / parts, high = most * (i + 1) / parts;
       for (int k = 0; k < thirds; ++k) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;

@@ -71,7 +71,7 @@ class HeadPlan {
   Progress& progress_;
   Machine limits_;
   SectionLimits section_limits_;
-  TimeLaw base_;                             // with the task's feeds
+  TimeLaw base_;                             // law with the task's feeds
   std::map<std::size_t, SlowerLaw> slower_;  // by first segment
   std::vector<std::size_t> sections_;        // first segments, and the end of the path
 };

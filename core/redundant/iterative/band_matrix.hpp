@@ -61,7 +61,7 @@ class BandMatrix {
         return factor_of<0>();
     }
   }
-  /// Of a factor: x becomes (L Lᵀ)⁻¹ x.
+  /// Solves with a factor: x becomes (L Lᵀ)⁻¹ x.
   void solve(std::vector<double>& x) const {
     switch (stride_) {
       case 3:
@@ -89,7 +89,7 @@ class BandMatrix {
   template <std::size_t S>
   bool factor_of() {
     const std::size_t stride = S > 0 ? S : stride_;
-    constexpr double least = 1e-15;  // of the diagonal entry that the pivot was
+    constexpr double least = 1e-15;  // least pivot, relative to the diagonal entry that it was
     for (std::size_t i = 0; i < n_; ++i) {
       double* const row = &a_[i * stride];  // row[d]: entry (i, i − d)
       const std::size_t before = std::min<std::size_t>(i, stride - 1);

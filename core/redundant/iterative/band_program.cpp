@@ -191,7 +191,7 @@ class BandSystem final : public InteriorPointSystem {
   bool elastic_;
   std::vector<double> cost_, equality_side_, inequality_side_;
   std::vector<PackedRow> rows_;
-  std::vector<double> weights_;  // of all rows
+  std::vector<double> weights_;  // weights of all rows
   BandMatrix normal_;
   std::vector<double> border_, solved_border_;
   double complement_ = 1;

@@ -28,8 +28,8 @@ void check(const RedundancyTask& task, const RedundancyOptions& options) {
     refuse("window", "windows overlap by less than their blocks");
 }
 
-constexpr int most_halvings = 2;        // of the fine accelerations where no motion is found
-constexpr double resolved_share = 0.2;  // of the stroke, that samples of every cycle leave to the fit
+constexpr int most_halvings = 2;        // largest number of times the fine accelerations are halved to find a motion
+constexpr double resolved_share = 0.2;  // share of the stroke that samples of every cycle leave to the fit
 
 /// Returns the task with fine accelerations with which a fine axis cannot use up its stroke between samples of every
 /// cycle; none if the task has such. So more acceleration than that is not slower: the same motion is planned.

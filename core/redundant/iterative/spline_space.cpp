@@ -87,7 +87,7 @@ TimeSpline SplineSpace::spline(const std::vector<double>& controls) const {
     for (std::size_t o = 0; o <= degree_; ++o) {
       c[o] = value(o) / factorial;
       factorial *= static_cast<double>(o + 1);
-      const std::size_t degree = degree_ - o;  // of what d holds now
+      const std::size_t degree = degree_ - o;  // degree of what d holds now
       for (std::size_t r = 0; r < degree; ++r) {
         const std::size_t j = k - degree + r + 1;
         d[r] = static_cast<double>(degree) * (d[r + 1] - d[r]) / (knots_[j + degree] - knots_[j]);

@@ -24,8 +24,8 @@ namespace bahnwerk {
 namespace {
 
 constexpr double worth_giving_way = 1e-6;  // share of the duration
-constexpr double symmetric = 5e-4;         // of the bound, by which durations forwards and backwards may differ
-constexpr double quicker = 1e-9;           // of a duration: less is rounding
+constexpr double symmetric = 5e-4;         // share of the bound by which durations forwards and backwards may differ
+constexpr double quicker = 1e-9;           // least gain, relative to a duration; less is rounding
 
 bool is_lone_straight_move(const RedundancyTask& task) {
   return task.path->size() == 1 && task.path->linear(0) && task.dwells.empty();

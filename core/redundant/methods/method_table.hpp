@@ -26,11 +26,11 @@ const RedundancyRow& redundancy_row(RedundancyMethod method);
 bool gantry_takes_over(const RedundancyTask& task, RedundancyMethod method);
 
 /// Plans with the row of `options.method`, and times the motion again if `options.reparametrise` says so (without
-/// limited jerk). Where an axis has no fine one the joint planner takes the place of every other method, which is
-/// counted and noted. Where the coarse axes alone are quicker than any method but `joint`, which knows of them, they
-/// move alone (without limited jerk); that counts as a fallback. Where the bound leaves more than 5e-4 open the task is
-/// planned from its end to its begin, too, unless the method is the same in both directions or none (a lag's): the
-/// quicker one counts. A task without a bound is planned in the direction of time alone.
+/// limited jerk). Where an axis has no fine one the joint planner takes the place of every other method, which
+/// `gave_way` tells, and a note. Where the coarse axes alone are quicker than any method but `joint`, which knows of
+/// them, they move alone (without limited jerk); `gave_way` tells it. Where the bound leaves more than 5e-4 open the
+/// task is planned from its end to its begin, too, unless the method is the same in both directions or none (a lag's):
+/// the quicker one counts. A task without a bound is planned in the direction of time alone.
 RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                 double from = 0, double to = 1);
 

@@ -25,7 +25,7 @@ namespace {
 constexpr double position_scale = 0.1;  // mm: resolved to 2e-11 of it at least
 
 struct Channel {
-  std::size_t axis, derivative;  // of the fine axis
+  std::size_t axis, derivative;  // the fine axis, and which of its derivatives
   double limit;
 };
 
@@ -191,7 +191,7 @@ class FineSweep {
   ProgressScope& scope_;
   std::vector<Channel> channels_;
   PeakSweep peaks_;
-  std::array<Polynomial, max_axes> coarse_;  // of the piece at hand
+  std::array<Polynomial, max_axes> coarse_;  // coarse motion in the piece at hand
   std::size_t degree_ = 0;                   // the largest of them
   std::optional<CurveDiscs> discs_;
   std::size_t discs_of_ = 0;
@@ -275,7 +275,7 @@ double step_of_the_head(const CoarseFineToVerify& in, bool alone, std::size_t k,
   auto piece = std::lower_bound(pieces.begin(), pieces.end(), t - blur,
                                 [](const LawPiece& p, double time) { return p.t0 < time; });
   double jump = 0, bends = 0;
-  const bool border = piece != pieces.end() && piece->t0 <= t + blur;  // of two pieces of the law
+  const bool border = piece != pieces.end() && piece->t0 <= t + blur;  // whether t is where two pieces of the law meet
   const double inside = border || piece == pieces.begin() ? 0 : rounding_of_head(in, *(piece - 1), k, derivative, t);
   for (; piece != pieces.end() && piece->t0 <= t + blur; ++piece) {
     if (piece == pieces.begin() || piece->segment >= in.path.size()) continue;

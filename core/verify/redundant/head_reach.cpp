@@ -101,7 +101,7 @@ class Walk {
   bool forward_;
   double horizon_, step_;
   double time_ = 0;   // when the section can be begun
-  double after_ = 0;  // of the piece added last
+  double after_ = 0;  // earliest end of the piece added last, s
   AxisJet rest_;      // where it begins
   HeadReach reach_;
 };

@@ -53,7 +53,7 @@ void ReachableStates::add_segment(State g) {
   spare_.clear();
   const std::size_t n = vertices_.size();
   if (n == 0) return;
-  const auto side = [&](std::size_t i) {  // of the edge from vertex i on: whether its outward normal points along g
+  const auto side = [&](std::size_t i) {  // whether the outward normal of the edge from vertex i on points along g
     const State &a = vertices_[i], &b = vertices_[i + 1 < n ? i + 1 : 0];
     const double along = g.x * (b.v - a.v) - g.v * (b.x - a.x);
     return along > 0 ? 1 : along < 0 ? -1 : 0;

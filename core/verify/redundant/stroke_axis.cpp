@@ -6,7 +6,7 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double nodes_per_unit = 6;  // of time
+constexpr double nodes_per_unit = 6;  // nodes per unit of time
 constexpr double settled = 4;         // units beyond a stop from full speed
 constexpr std::size_t most_nodes = 4000;
 // Units of time. Over a longer time acceleration limits alone do not restrict the states any more, and rounding would

@@ -16,8 +16,8 @@ constexpr double closed = 1e-5;  // relative
 // Units of time. The bounds of longer sections are not raised.
 constexpr double longest = 100;
 constexpr int most_doublings = 20;
-constexpr double first_step = 0.02;  // of a unit of time
-constexpr double rounding = 1e-9;    // of a bound
+constexpr double first_step = 0.02;  // first step, in units of time
+constexpr double rounding = 1e-9;    // relative rounding of a bound
 
 /// Returns the time from one speed to rest, or back, within limits of acceleration and jerk.
 double change(double speed, const AxisLimits& axis) {

@@ -12,15 +12,15 @@ using verify::Passage;
 using verify::StrokeAxis;
 using verify::StrokeSections;
 
-constexpr std::size_t most_sections = 5;  // of a chain
-constexpr double worth = 1.5e-3;          // of all bounds: a smaller gap is left
+constexpr std::size_t most_sections = 5;  // largest number of sections of a chain
+constexpr double worth = 1.5e-3;          // share of all bounds; a smaller gap is left
 // Shares of a chain's bounds, and of the gap of the whole path, below which a possible gain is ignored.
 constexpr double worth_of_chain = 2e-4, worth_of_gap = 0.02;
-constexpr double most_gain = 0.5;  // of a chain's bounds
-constexpr double enough = 0.7;     // of what a chain could gain: no other one is asked
-constexpr std::size_t cells = 32;  // of what it could gain
+constexpr double most_gain = 0.5;  // largest gain that is sought, relative to a chain's bounds
+constexpr double enough = 0.7;     // share of what a chain could gain at which no other one is asked
+constexpr std::size_t cells = 32;  // steps in which a chain's gain is sought
 constexpr double longest = 50;     // units of time, of a part
-constexpr double rounding = 1e-9;  // of a bound
+constexpr double rounding = 1e-9;  // relative rounding of a bound
 
 /// The two parts of a chain and the states possible at the rest between them.
 class PartedChain {
@@ -52,7 +52,7 @@ class PartedChain {
  private:
   struct Part {
     double bound = 0;
-    Passage passage;  ///< of the second one in time that runs backwards
+    Passage passage;  ///< passage of the second one in time that runs backwards
   };
   struct Axis {
     StrokeAxis axis;
@@ -103,7 +103,7 @@ double gain_of_chains(const StrokeBoundTask& task, const std::vector<SectionBoun
   if (!(all > worth * looked.bound(0, n))) return 0;
   std::vector<char> far(n), waits(n);
   for (std::size_t i = 0; i < n; ++i) far[i] = looked.far(i), waits[i] = looked.waits(i);
-  std::vector<double> most(n + 1);  // of the first i sections
+  std::vector<double> most(n + 1);  // largest gain of the first i sections
   for (std::size_t last = 1; last <= n; ++last) {
     scope.done(static_cast<double>(last) / static_cast<double>(n));
     scope.work(10);

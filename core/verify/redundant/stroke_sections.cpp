@@ -8,7 +8,7 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double piece = 0.05;  // of the least stroke: boxes of the path
+constexpr double piece = 0.05;  // size of the path's boxes, relative to the least stroke
 
 }  // namespace
 

@@ -19,7 +19,7 @@ constexpr double sum_tolerance = 1e-12;  // mm
 /// Indices of the columns of one axis and derivative.
 struct Triple {
   std::size_t head = 0, coarse = 0, fine = 0, derivative = 0;
-  double limit = 0;  // of the fine axis
+  double limit = 0;  // limit of the fine axis
 };
 
 bool find(const SumInput& in, std::vector<Triple>& found) {

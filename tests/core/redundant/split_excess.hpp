@@ -11,8 +11,8 @@ namespace bahnwerk::test {
 
 struct SplitExcess {
   double limits = -1;  ///< largest value over its limit, − 1: velocities, accelerations, jerks, stroke
-  /// Of the coarse axes where pieces meet: mm, or s times mm/s, or s² times mm/s² with jerk. Under a fine axis that
-  /// stands still it counts beyond the step that any machine's axis may take in a cycle.
+  /// Largest steps of the coarse axes where pieces meet: mm, or s times mm/s, or s² times mm/s² with jerk. Under a fine
+  /// axis that stands still it counts beyond the step that any machine's axis may take in a cycle.
   double jump = 0;
   double rest = 0;  ///< mm/s, of coarse axes at both ends
   double time = 0;  ///< s, by which head and coarse axes last differently
