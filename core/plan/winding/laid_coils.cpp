@@ -65,11 +65,7 @@ class Laying {
     return farthest([bore = winding::bore(part) / 2](double from_axis) { return from_axis - bore; });
   }
   double slot_depth(const RotorPart& part, const winding::Slot& slot) const {
-    double outer = 0;
-    for (const Edge& edge : slot.iron.edges())
-      outer =
-          std::max(outer, std::hypot(part.heads.tooth_radius + edge.from.x, part.heads.tooth_half_width + edge.from.y));
-    return farthest([outer](double from_axis) { return outer - from_axis; });
+    return farthest([outer = winding::outer_radius(part, slot)](double from_axis) { return outer - from_axis; });
   }
   template <class Depth>
   double farthest(Depth depth) const {

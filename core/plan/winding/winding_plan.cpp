@@ -12,6 +12,7 @@
 #include "core/motion/feed/curvature_feed.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/numeric/bisection.hpp"
+#include "core/plan/winding/coil_passes.hpp"
 #include "core/plan/winding/laid_coils.hpp"
 #include "core/plan/winding/link_timer.hpp"
 #include "core/plan/winding/wire_length.hpp"
@@ -225,6 +226,7 @@ class Planner {
       differences.rounding = rounding_of_rows;
       if (request_.interpolator != Interpolator::exact) differences.feed_tolerance = request_.feed_tolerance;
       list.push_back(difference_row_check(differences));
+      list.push_back(coil_slot_row_check(coil_passes(request_, plan_, setpoints)));
       return list;
     };
     planning.from = reached, planning.to = planned;
@@ -239,6 +241,7 @@ class Planner {
     plan_.wire = wire_rows->figures();
     verdict.add(rows[1]->checks());
     verdict.add(rows[2]->checks());
+    verdict.add(rows[3]->checks());
   }
 
   /// Measures all interpolators, and takes the setpoints of the requested one; the exact one needs no measurement,

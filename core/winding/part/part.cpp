@@ -131,6 +131,14 @@ bool leaves_teeth(const Slot& slot, double base_radius, double pitch) {
 
 double bore(const StatorPart& part) { return 2 * (part.heads.base_radius - part.slot.height); }
 
+double outer_radius(const RotorPart& part, const Slot& slot) {
+  double outer = 0;
+  for (const Edge& edge : slot.iron.edges())
+    outer =
+        std::max(outer, std::hypot(part.heads.tooth_radius + edge.from.x, part.heads.tooth_half_width + edge.from.y));
+  return outer;
+}
+
 double clear_way(const StatorPart&, const Slot& slot) { return slot.opening->clear; }
 
 double clear_way(const RotorPart& part, const Slot& slot) {

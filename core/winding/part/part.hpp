@@ -60,8 +60,15 @@ std::vector<Coil> repeated(Coil coil, int slots, int step, std::size_t count, bo
 Slot checked_slot(const StatorPart& part);
 Slot checked_slot(const RotorPart& part);
 
+/// Returns the azimuth of the middle of a slot, rad. Slot numbers need not be reduced.
+inline double slot_azimuth(const StatorPart& part, int slot) { return slot * part.pitch(); }
+inline double slot_azimuth(const RotorPart& part, int slot) { return (slot - 0.5) * part.pitch(); }
+
 /// Returns the diameter of a stator's bore, mm.
 double bore(const StatorPart& part);
+/// Returns the radius of a rotor's outer circle, through the outer ends of the pole shoes, mm. `slot` is
+/// checked_slot(part).
+double outer_radius(const RotorPart& part, const Slot& slot);
 /// Returns the narrowest opening that wire and needle have to pass, mm: the opening between a stator's tooth tips, the
 /// gap between the coils of a rotor's neighbouring poles.
 double clear_way(const StatorPart& part, const Slot& slot);
