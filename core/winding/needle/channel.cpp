@@ -15,6 +15,7 @@ namespace {
 constexpr double most_lean = 1.5, lean_step = 0.05, lean_exact = 1e-6;
 constexpr double look_step = 0.5, look_exact = 1e-3;  // mm
 constexpr int looks = 24;                             // steps along a line
+constexpr double most_beyond = 0.5;                   // of a line's length: as far as it is continued beyond its ends
 
 /// Returns the distance of one obstacle, whose distances change by at most 1 mm per mm; or `least` if that is less.
 template <class Distance>
@@ -59,7 +60,9 @@ double room(const NeedlePose& from, const NeedlePose& to, const NeedleShape& nee
 double slot_room(const NeedlePose& from, const NeedlePose& to, double low, double high, const NeedleShape& needle,
                  const Obstacle& iron) {
   const double way = to.tip.z - from.tip.z;
-  const auto share = [&](double z) { return way != 0 ? std::clamp((z - from.tip.z) / way, 0.0, 1.0) : 0.0; };
+  const auto share = [&](double z) {
+    return way != 0 ? std::clamp((z - from.tip.z) / way, -most_beyond, 1 + most_beyond) : 0.0;
+  };
   const double first = share(low), last = share(high);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= looks; ++i) {

@@ -22,8 +22,9 @@ double room(const NeedlePose& pose, const NeedleShape& needle, const std::vector
 /// Returns the least distance over 25 poses from one to the other, tip and angles linear.
 double room(const NeedlePose& from, const NeedlePose& to, const NeedleShape& needle,
             const std::vector<const Obstacle*>& obstacles);
-/// Returns that distance for a move through a slot, for the part of the line between two heights, seen in sections as
-/// if the slot were infinite.
+/// Returns that distance for a move through a slot from one height to the other, seen in sections as if the slot were
+/// infinite. A line that ends between these heights is continued, by half its length at most: the link that begins
+/// there leaves the slot along it.
 double slot_room(const NeedlePose& from, const NeedlePose& to, double low, double high, const NeedleShape& needle,
                  const Obstacle& iron);
 

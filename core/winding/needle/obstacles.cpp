@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/base/errors.hpp"
@@ -76,9 +77,17 @@ Region air_of(const StatorPart& part, const Slot& slot) {
 StatorIron::StatorIron(const StatorPart& part, const Slot& slot)
     : air_(air_of(part, slot)), axis_(part.heads.base_radius), pitch_(part.pitch()), stack_(part.heads.stack) {}
 
+double StatorIron::local_distance(double from_axis, double angle) const {
+  return air_.distance({from_axis * std::sin(angle), axis_ - from_axis * std::cos(angle)});
+}
+
 double StatorIron::section_distance(Vec3 p) const {
-  const double at = azimuth(p), from_axis = std::hypot(p.x, p.y), local = std::remainder(at, pitch_);
-  return air_.distance({from_axis * std::sin(local), axis_ - from_axis * std::cos(local)});
+  return local_distance(std::hypot(p.x, p.y), std::remainder(azimuth(p), pitch_));
+}
+
+double StatorIron::section_distance(Vec3 p, double slot) const {
+  const double local = std::remainder(azimuth(p) - slot, 2 * std::numbers::pi);
+  return local_distance(std::hypot(p.x, p.y), std::clamp(local, -pitch_ / 2, pitch_ / 2));
 }
 
 Block::Block(double azimuth, double inner, double outer, double left, double right, double low, double high)

@@ -50,13 +50,34 @@ class StatorIron final : public Obstacle {
   double distance(Vec3 p) const override { return distances(p).whole; }
   Distances distances(Vec3 p) const override { return extruded(section_distance(p), height_distance(p)); }
   double section_distance(Vec3 p) const override;
+  /// Returns the distance in a section as if the slot with its middle at azimuth `slot` alone were open: beyond the
+  /// middles of the teeth beside it, it is the distance at these.
+  double section_distance(Vec3 p, double slot) const;
   double height_distance(Vec3 p) const override { return std::max(-p.z, p.z - stack_); }
   /// Returns slot, opening and bore together, in slot coordinates.
   const Region& air() const { return air_; }
 
  private:
+  double local_distance(double from_axis, double angle) const;
+
   Region air_;
   double axis_, pitch_, stack_;
+};
+
+/// A stator's or rotor's iron in which one slot alone is open. `Iron` has section_distance(p, slot).
+template <class Iron>
+class OneSlot final : public Obstacle {
+ public:
+  /// `iron` has to outlive the object; `slot` is the azimuth of the slot's middle.
+  OneSlot(const Iron& iron, double slot) : iron_(iron), slot_(slot) {}
+  double distance(Vec3 p) const override { return distances(p).whole; }
+  Distances distances(Vec3 p) const override { return extruded(section_distance(p), height_distance(p)); }
+  double section_distance(Vec3 p) const override { return iron_.section_distance(p, slot_); }
+  double height_distance(Vec3 p) const override { return iron_.height_distance(p); }
+
+ private:
+  const Iron& iron_;
+  double slot_;
 };
 
 /// A block across a radius, such as a winding tool's post.

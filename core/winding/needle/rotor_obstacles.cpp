@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -97,6 +98,13 @@ RotorIron::RotorIron(const RotorPart& part, const Slot& slot, const RotorShape& 
 double RotorIron::section_distance(Vec3 p) const {
   const double from_axis = std::hypot(p.x, p.y), local = std::remainder(azimuth(p), pitch_);
   return -iron_.distance({from_axis * std::cos(local), from_axis * std::sin(local)});
+}
+
+double RotorIron::section_distance(Vec3 p, double slot) const {
+  const double half = pitch_ / 2, from_axis = std::hypot(p.x, p.y),
+               local = std::clamp(std::remainder(azimuth(p) - slot, 2 * std::numbers::pi), -half, half),
+               from_pole = half - std::abs(local);
+  return -iron_.distance({from_axis * std::cos(from_pole), from_axis * std::sin(from_pole)});
 }
 
 Wall::Wall(double azimuth, Region section, double half_width)

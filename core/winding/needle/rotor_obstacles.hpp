@@ -27,6 +27,9 @@ class RotorIron final : public Obstacle {
   double distance(Vec3 p) const override { return distances(p).whole; }
   Distances distances(Vec3 p) const override { return extruded(section_distance(p), height_distance(p)); }
   double section_distance(Vec3 p) const override;
+  /// Returns the distance in a section as if the slot with its middle at azimuth `slot` alone were open: beyond the
+  /// middles of the poles beside it, it is the distance at these.
+  double section_distance(Vec3 p, double slot) const;
   double height_distance(Vec3 p) const override { return std::max(low_ - p.z, p.z - high_); }
   /// Returns one pole and the whole hub; x along the pole's middle from the rotor's axis, y across it.
   const Region& iron() const { return iron_; }

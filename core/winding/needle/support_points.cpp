@@ -154,12 +154,6 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
   const double opening = part.heads.base_radius - part.slot.height - part.slot.tip_corner_radius;
   const Slot slot_shape = checked_slot(part);
   const StatorIron iron(part, slot_shape);
-  const auto between = [&](const NeedlePose& from, const NeedlePose& to) {
-    return slot_room(from, to, 0, part.heads.stack, *model.shape, iron);
-  };
-  const auto standing = [&](const NeedlePose& pose) {
-    return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, iron);
-  };
   Pieces pieces(model);
   for (const Turn& turn : turns) {
     stage_progress.now(static_cast<std::size_t>(&turn - turns.data()), turns.size());
@@ -171,7 +165,14 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
         const double sense = (coil.span > 0) == (j == 1) ? 1 : -1;
         piece = head(p, sense, j == 3, rho, length);
       } else {
-        const double slot = (coil.first + (j == 2 ? coil.span : 0)) * part.pitch();
+        const double slot = slot_azimuth(part, coil.first + (j == 2 ? coil.span : 0));
+        const OneSlot own(iron, slot);
+        const auto between = [&](const NeedlePose& from, const NeedlePose& to) {
+          return slot_room(from, to, 0, part.heads.stack, *model.shape, own);
+        };
+        const auto standing = [&](const NeedlePose& pose) {
+          return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, own);
+        };
         const Vec3 pivot = opening * radial(slot), across = radial(slot + pi / 2);
         const auto leading = [&](Vec3 place, Vec3 along) {
           return slot_support(place, along, rho, length, pivot, model.pivot_limit);
@@ -217,13 +218,14 @@ std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<
       const Vec3 middle = radial(azimuth(p.begin + p.end) + pi / 2);
       const auto pole = std::lround(azimuth(p.begin + p.end) / part.pitch()) + part.poles;
       const Wall& wall = walls[2 * (static_cast<std::size_t>(pole % part.poles)) + (j == 3)];
+      const OneSlot own(iron, (std::floor(azimuth(p.begin) / part.pitch()) + 0.5) * part.pitch());
       const auto between = [&](const NeedlePose& from, const NeedlePose& to) {
         return slot ? slot_room(from, to, -part.heads.cap_base, part.heads.stack + part.heads.cap_base, *model.shape,
-                                iron)
+                                own)
                     : room(from, to, *model.shape, {&iron, &wall});
       };
       const auto standing = [&](const NeedlePose& pose) {
-        if (slot) return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, iron);
+        if (slot) return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, own);
         // Along an end cap the needle continues to the middle of the pole.
         NeedlePose to = pose;
         to.tip = pose.tip - dot(pose.tip, middle) * middle;

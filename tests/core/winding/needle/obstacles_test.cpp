@@ -41,6 +41,27 @@ TEST(StatorIron, OpeningIsAsWideAsTheTipsLeave) {
   }
 }
 
+TEST(StatorIron, WithOneSlotTheOthersAreIron) {
+  Random random(46);
+  const StatorPart part;
+  const StatorIron stator = iron(part);
+  const double pitch = part.pitch(), bore = part.heads.base_radius - part.slot.height;
+  for (const int n : {0, 7, 47}) {
+    const double slot = slot_azimuth(part, n);
+    const OneSlot own(stator, slot);
+    EXPECT_FALSE(own.convex());
+    for (int i = 0; i < 2000; ++i) {
+      const double aside = random.uniform(-pi, pi);
+      const Vec3 p = random.uniform(bore + 0.5, 100) * radial(slot + aside) + Vec3{0, 0, random.uniform(-5, 215)};
+      if (std::abs(aside) <= pitch / 2) {
+        EXPECT_NEAR(own.distance(p), stator.distance(p), 1e-12);
+      } else {
+        EXPECT_LT(own.section_distance(p), 0) << aside;
+      }
+    }
+  }
+}
+
 TEST(StatorIron, ChangesByNoMoreThanThePointMoves) {
   Random random(8);
   const StatorPart part;

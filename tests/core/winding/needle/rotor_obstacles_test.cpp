@@ -103,6 +103,26 @@ TEST(RotorIron, ChangesByNoMoreThanThePointMoves) {
   }
 }
 
+TEST(RotorIron, WithOneSlotTheOthersAreIron) {
+  Random random(46);
+  const RotorPart part;
+  const RotorIron rotor = iron(part);
+  const double pitch = part.pitch(), outer = outer_radius(part, checked_slot(part));
+  for (const int n : {0, 1, 5}) {
+    const double slot = slot_azimuth(part, n);
+    const OneSlot own(rotor, slot);
+    for (int i = 0; i < 2000; ++i) {
+      const double aside = random.uniform(-pi, pi);
+      const Vec3 p = random.uniform(20, outer - 0.5) * radial(slot + aside) + Vec3{0, 0, random.uniform(-20, 230)};
+      if (std::abs(aside) <= pitch / 2) {
+        EXPECT_NEAR(own.distance(p), rotor.distance(p), 1e-12);
+      } else {
+        EXPECT_LT(own.section_distance(p), 0) << aside;
+      }
+    }
+  }
+}
+
 TEST(RotorIron, EndCapsFitTheLayingRegions) {
   const RotorPart part;
   const Slot slot = checked_slot(part);

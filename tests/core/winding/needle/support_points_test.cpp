@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "core/base/errors.hpp"
@@ -193,6 +194,41 @@ TEST(SupportPoints, ARotorsCoilsAreCongruent) {
       expect_same(first.begin.pose, other.begin.pose);
       expect_same(first.end.pose, other.end.pose);
     }
+}
+
+/// The largest angle of a tip in a slot from the middle of its slot, in halves of a pitch.
+double farthest_aside(const StatorPart& part, const Wound& w, const std::vector<FixedPiece>& pieces) {
+  double most = 0;
+  for (const FixedPiece& piece : pieces) {
+    if (piece.kind != FixedPiece::Kind::region || piece.region % 2 == 1) continue;
+    const Coil& coil = w.coils[piece.coil];
+    const double slot = slot_azimuth(part, coil.first + (piece.region == 2 ? coil.span : 0));
+    for (const SupportPoint* s : {&piece.begin, &piece.end})
+      most = std::max(most, std::abs(std::remainder(azimuth(s->pose.tip) - slot, 2 * pi)) / (part.pitch() / 2));
+  }
+  return most;
+}
+
+// Also of a needle that has hardly any room between the tooth tips, beside slots that are near.
+TEST(SupportPoints, TipsStayInTheCoilsSlots) {
+  for (const int slots : {36, 60, 72})
+    for (const int span : {1, -1, slots / 8})
+      for (const double width : {1.2, 1.7, 1.99}) {
+        StatorPart part;
+        part.slots = slots;
+        part.slot.base_width = 3.6, part.slot.opening_width = part.slot.wedge_width = 2.3;
+        part.slot.tip_corner_radius = 0.15, part.slot.height = 12, part.slot.tip_angle = 91 * pi / 180;
+        part.slot.base_radius = 3.6 / 0.5 * slots / (2 * pi) + 12, part.heads.base_radius = part.slot.base_radius;
+        part.heads.tool_radius = part.heads.base_radius + 4, part.heads.tool_shift = 0.1;
+        const Wound w = wound(part, {{3, span}}, 0.5, 4);
+        for (const std::optional<double> limit : {std::optional<double>(), std::optional<double>(0.005)}) {
+          NeedleModel model;
+          model.pivot_limit = limit;
+          model.shape = NeedleShape{width, 40};
+          EXPECT_LT(farthest_aside(part, w, support_points(part, w.coils, w.turns, model)), 1)
+              << slots << ' ' << span << ' ' << width << ' ' << limit.value_or(0);
+        }
+      }
 }
 
 // Up to the opening, where the bend begins before the pivot.
