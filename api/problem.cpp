@@ -1,6 +1,7 @@
 #include "api/problem.hpp"
 
 #include <array>
+#include <cmath>
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,8 @@
 #include "api/text/pointer.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/infeasible_at.hpp"
+#include "core/base/number_text.hpp"
+#include "core/base/unreachable_at.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -122,14 +125,13 @@ Problem semantic(const InvalidInput& fault, std::string_view prefix) {
   return {"semantic-violation", detail, std::move(errors)};
 }
 
-std::string number(double value) {
-  return nlohmann::json(value).dump();  // shortest text; "null" for anything not finite
-}
+/// Returns a length or an angle to a thousandth of its unit.
+std::string rounded(double value) { return number_text(std::round(1000 * value) / 1000 + 0.0, 12); }
 
 std::string pose(const UnreachablePose::Pose& p) {
   constexpr double degrees = 180 / 3.14159265358979323846;
-  return "x " + number(p[0]) + ", y " + number(p[1]) + ", z " + number(p[2]) + " mm, phi " + number(p[3] * degrees) +
-         ", psi " + number(p[4] * degrees) + " deg";
+  return "x " + rounded(p[0]) + ", y " + rounded(p[1]) + ", z " + rounded(p[2]) + " mm, phi " +
+         rounded(p[3] * degrees) + ", psi " + rounded(p[4] * degrees) + " deg";
 }
 
 }  // namespace
@@ -182,12 +184,14 @@ Problem problem_from_current_exception(std::string_view prefix) {
   } catch (const Infeasible& fault) {
     return {"infeasible", fault.what()};
   } catch (const UnreachablePose& fault) {
-    const std::string where = std::string(fault.what()) + " (at path length " + number(fault.path_length) +
+    const std::string where = std::string(fault.what()) + " (at path length " + rounded(fault.path_length) +
                               " mm, the tool at " + pose(fault.pose) + ")";
-    return {"unreachable-pose", where, {{pointer(prefix, {"machine"}), where}}};
+    const auto* placed = dynamic_cast<const UnreachableAt*>(&fault);
+    const std::vector<std::string> place = placed ? placed->place : std::vector<std::string>{"machine"};
+    return {"unreachable-pose", where, {{pointer(prefix, place), where}}};
   } catch (const ToleranceUnreachable& fault) {
     return {"tolerance-unreachable",
-            std::string(fault.what()) + " (best value reached: " + number(fault.reached) + ")"};
+            std::string(fault.what()) + " (best value reached: " + number_text(fault.reached, 6) + ")"};
   } catch (const Stopped& stop) {
     switch (stop.reason) {
       case StopReason::cancelled:

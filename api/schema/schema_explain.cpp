@@ -217,10 +217,51 @@ class Explainer {
     });
   }
 
+  /// The member by which documents select a branch: all branches have it, as a constant. None: no values.
+  struct Selector {
+    std::string name = {};
+    json values = json::array();
+    bool required = true;
+  };
+  Selector selector(const json& branches) const {
+    const auto constant = [](const json& branch, const std::string& name) -> const json* {
+      if (!branch.contains("properties") || !branch["properties"].contains(name)) return nullptr;
+      const json& member = branch["properties"][name];
+      return member.is_object() && member.contains("const") ? &member["const"] : nullptr;
+    };
+    const json& first = resolve_ref(root_, branches.front());
+    if (!first.contains("properties")) return {};
+    for (const auto& member : first["properties"].items()) {
+      Selector found{member.key()};
+      for (const auto& each : branches) {
+        const json& branch = resolve_ref(root_, each);
+        const json* value = constant(branch, found.name);
+        if (value == nullptr) break;
+        found.values.push_back(*value);
+        found.required &= branch.contains("required") && contains(branch["required"], found.name);
+      }
+      if (found.values.size() == branches.size()) return found;
+    }
+    return {};
+  }
+  /// Tells whether the value lacks the member that selects a branch, or has none of its values; explains that.
+  bool unselected(const json& branches, const json& value, std::string& at) {
+    const Selector by = value.is_object() ? selector(branches) : Selector{};
+    if (by.values.empty()) return false;
+    const bool absent = !value.contains(by.name);
+    if (absent ? !by.required : contains(by.values, value[by.name])) return false;
+    const std::size_t length = at.size();
+    append_token(at, by.name);
+    add(at, (absent ? "is required: one of " : "must be one of ") + list_text(by.values));
+    at.resize(length);
+    return true;
+  }
+
   /// Explains the branch that the value means: the one selected by its type or a constant member, else the one that
   /// needs no such member, else the one whose required members are present. If none or several remain, lists the
   /// branches.
   void one_of(const json& branches, const json& value, std::string& at) {
+    if (unselected(branches, value, at)) return;
     std::vector<const json*> possible, filled;
     std::size_t valid = 0;
     std::string titles;

@@ -1,12 +1,12 @@
 #pragma once
 /// Readers of slots, winding heads and wires, which several kinds of documents contain.
-#include <cstdio>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/number_text.hpp"
 #include "core/winding/laying/laying_regions.hpp"
 #include "core/winding/slot/slot.hpp"
 #include "core/winding/wire.hpp"
@@ -19,11 +19,9 @@ using Place = std::vector<std::string>;
 Place below(Place place, const std::string& member);
 
 /// Returns a number with four significant digits, for messages.
-inline std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
+inline std::string short_number(double value) { return number_text(value, 4); }
+/// Returns it with as many as distinguish it from `other`, with which the message compares it.
+inline std::string short_number(double value, double other) { return number_text(value, other, 4); }
 
 /// Returns a member; none if it is absent or null.
 template <class T, class Json>
@@ -57,7 +55,7 @@ winding::RotorHeads rotor_heads(const nlohmann::json& document, const Place& pla
 /// Reads a standard wire by its copper diameter, or any wire by its diameters; adds a fault if it is invalid.
 std::optional<winding::Wire> read_wire(const nlohmann::json& value, const Place& place, int grade,
                                        std::vector<InputFault>& faults);
-/// Returns the standard wires on both sides of a diameter that none has, in words: "0.9 and 0.95".
-std::string neighbouring_wires(double copper, int grade);
+/// Returns the wires of a standard series on both sides of a diameter that none has, in words: "0.9 and 0.95".
+std::string neighbouring_wires(double copper, int grade, winding::Series series);
 
 }  // namespace bahnwerk::api

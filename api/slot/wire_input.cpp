@@ -22,9 +22,9 @@ double usual_tolerance(double copper, int grade) {
 
 }  // namespace
 
-std::string neighbouring_wires(double copper, int grade) {
+std::string neighbouring_wires(double copper, int grade, winding::Series series) {
   std::string below, above;
-  for (const Wire& wire : winding::standard_wires(grade, 0, 10, winding::Series::r40)) {
+  for (const Wire& wire : winding::standard_wires(grade, 0, 10, series)) {
     if (wire.copper < copper) below = short_number(wire.copper);
     if (wire.copper > copper && above.empty()) above = short_number(wire.copper);
   }
@@ -35,7 +35,8 @@ std::optional<Wire> read_wire(const json& value, const Place& place, int grade, 
   if (value.is_number()) {
     const auto wire = winding::standard_wire(value, grade);
     if (!wire)
-      faults.push_back({place, "is no standard wire; the nearest are " + neighbouring_wires(value, grade) +
+      faults.push_back({place, "is no standard wire; the nearest are " +
+                                   neighbouring_wires(value, grade, winding::Series::r40) +
                                    ", or give copper and outer diameter"});
     return wire;
   }

@@ -20,9 +20,8 @@ using winding::Layout;
 using winding::Wire;
 
 winding::LayingRegions regions_of(const FillRequest& request) {
-  winding::LayingRegions regions = std::holds_alternative<winding::StatorHeads>(request.heads)
-                                       ? laying_regions(request.slot, std::get<winding::StatorHeads>(request.heads))
-                                       : laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads));
+  winding::LayingRegions regions =
+      std::visit([&](const auto& heads) { return laying_regions(request.slot, heads); }, request.heads);
   if (!request.back.empty()) regions.at[2].usable_area = request.back;
   return regions;
 }
@@ -73,8 +72,6 @@ class Filler {
   }
 
   Layout needle(double radius, std::vector<Layout>& regions, Progress& progress) const {
-    if (std::holds_alternative<std::monostate>(request_.heads))
-      return winding::needle(slot_.usable_area, radius, request_.tie_in, progress);
     winding::LayingRegions at = regions_of(request_);
     for (winding::LayingRegion& region : at.at) region.usable_area = region.usable_area.inward(-wall_, &progress);
     winding::NeedleLayout laid = winding::needle(at, radius, request_.tie_in, progress);
@@ -145,8 +142,7 @@ std::string max_places(const FillPlan& plan) {
 
 /// Returns the layouts in all regions.
 Verification verified(const FillRequest& request, const FillPlan& plan, Progress& progress, double from) {
-  winding::LayingRegions at;
-  if (!std::holds_alternative<std::monostate>(request.heads)) at = regions_of(request);
+  const winding::LayingRegions at = regions_of(request);
   std::vector<LayoutToVerify> verified;
   for (const FilledLayout& filled : plan.layouts) {
     LayoutToVerify each{name(filled.algorithm), filled.wire.copper,  filled.wire.radius(),

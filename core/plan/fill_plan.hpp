@@ -35,8 +35,8 @@ struct FillRequest {
   double effort = 1;
   int shifts = 4;
   Point tie_in;
-  /// Winding heads for the algorithm `needle`; without heads every wire is drawn to `tie_in`.
-  std::variant<std::monostate, winding::StatorHeads, winding::RotorHeads> heads;
+  std::variant<winding::StatorHeads, winding::RotorHeads> heads;  ///< winding heads for the algorithm `needle`
+  winding::Placement drawn;  ///< where the document draws the slot; plans are in the slot's coordinates
   std::optional<std::size_t> serial, parallel;
   double temperature = 20;  ///< °C
   winding::ProducibleOptions producible;

@@ -18,24 +18,26 @@ using nlohmann::ordered_json;
 
 ordered_json point(Point p) { return {p.x, p.y}; }
 
-ordered_json points(std::span<const Point> list) {
+/// Returns points of the slot's coordinates in those of the document.
+ordered_json points(std::span<const Point> list, const winding::Placement& at) {
   ordered_json out = ordered_json::array();
-  for (const Point& p : list) out.push_back(point(p));
+  for (const Point& p : list) out.push_back(point(at.place(p)));
   return out;
 }
 
 /// Returns the edges in order, each from the end of the one before; an edge with "from" begins a loop.
-ordered_json outline(const Region& region) {
+ordered_json outline(const Region& region, const winding::Placement& at) {
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < region.edges().size(); ++i) {
     const Edge& edge = region.edges()[i];
     ordered_json piece = ordered_json::object();
-    if (region.begins_loop(i)) piece["from"] = point(edge.from);
+    if (region.begins_loop(i)) piece["from"] = point(at.place(edge.from));
     if (edge.straight()) {
-      piece["line"] = point(edge.to);
+      piece["line"] = point(at.place(edge.to));
     } else {
-      piece["arc"] = {
-          {"to", point(edge.to)}, {"center", point(edge.centre)}, {"direction", edge.turn > 0 ? "ccw" : "cw"}};
+      piece["arc"] = {{"to", point(at.place(edge.to))},
+                      {"center", point(at.place(edge.centre))},
+                      {"direction", edge.turn > 0 ? "ccw" : "cw"}};
     }
     list.push_back(std::move(piece));
   }
@@ -62,7 +64,7 @@ ordered_json spread(const FilledLayout& filled) {
           {"histogram", std::move(histogram)}};
 }
 
-ordered_json layout(const FilledLayout& filled, double slot_area) {
+ordered_json layout(const FilledLayout& filled, double slot_area, const winding::Placement& drawn) {
   const auto& turns = filled.turns;
   ordered_json out = {{"algorithm", name(filled.algorithm)},
                       {"wire", wire(filled.wire)},
@@ -85,13 +87,15 @@ ordered_json layout(const FilledLayout& filled, double slot_area) {
                         {"fits", turns.fits},
                         {"electrical_fill", electrical_fill(turns.wires, filled.wire, slot_area)}}},
                       {"resistance_per_metre", filled.resistance},
-                      {"positions", points(filled.layout.wires)}};
-  if (!filled.layout.tension_points.empty()) out["pulls"] = points(filled.layout.tension_points);
+                      {"positions", points(filled.layout.wires, drawn)}};
+  if (!filled.layout.tension_points.empty()) out["pulls"] = points(filled.layout.tension_points, drawn);
   if (!filled.regions.empty()) {
     ordered_json regions = ordered_json::object();
-    for (std::size_t k = 0; k < filled.regions.size(); ++k)
-      regions[region_name(k)] = {{"positions", points(filled.regions[k].wires)},
-                                 {"pulls", points(filled.regions[k].tension_points)}};
+    for (std::size_t k = 0; k < filled.regions.size(); ++k) {
+      const winding::Placement at = k == 1 ? drawn : winding::Placement{};  // the other regions are heads
+      regions[region_name(k)] = {{"positions", points(filled.regions[k].wires, at)},
+                                 {"pulls", points(filled.regions[k].tension_points, at)}};
+    }
     out["regions"] = std::move(regions);
   }
   if (!filled.sampled.empty()) out["robustness"] = spread(filled);
@@ -140,15 +144,15 @@ ordered_json details(const Asked& asked, const FillPlan& plan, Progress& progres
   ordered_json layouts = ordered_json::array(), best = ordered_json::array();
   for (const FilledLayout& filled : plan.layouts) {
     progress.report("writing", 1);
-    layouts.push_back(layout(filled, area / static_cast<double>(asked.fill.sides)));
+    layouts.push_back(layout(filled, area / static_cast<double>(asked.fill.sides), asked.fill.drawn));
   }
   for (const std::size_t i : plan.best) best.push_back(summary(plan.layouts[i]));
   ordered_json slot = {{"area", area},
                        {"room_area", given.usable_area.area()},
-                       {"outline", outline(given.iron)},
-                       {"room", outline(given.usable_area)}};
+                       {"outline", outline(given.iron, asked.fill.drawn)},
+                       {"room", outline(given.usable_area, asked.fill.drawn)}};
   if (given.opening) slot["clear_opening"] = given.opening->clear;
-  if (!given.taken.empty()) slot["taken"] = outline(given.taken);
+  if (!given.taken.empty()) slot["taken"] = outline(given.taken, asked.fill.drawn);
   return {{"slot", std::move(slot)}, {"best", std::move(best)}, {"layouts", std::move(layouts)}};
 }
 

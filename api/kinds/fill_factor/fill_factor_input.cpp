@@ -21,10 +21,17 @@ constexpr double degree = std::numbers::pi / 180;
 
 Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
 
-winding::Slot slot(const json& s, Progress* progress) {
-  if (s["type"] == "stator") return make_slot(stator_slot(s));
-  if (s["type"] == "rotor") return make_slot(rotor_slot(s));
-  return make_slot(polygon_slot(s), progress);
+/// Reads the slot, a drawn one turned upright as kind winding has it.
+void read_slot(const json& s, FillRequest& request, Progress* progress) {
+  if (s["type"] == "stator") {
+    request.slot = make_slot(stator_slot(s));
+  } else if (s["type"] == "rotor") {
+    request.slot = make_slot(rotor_slot(s));
+  } else {
+    const winding::UprightSlot drawn = upright(polygon_slot(s), progress);
+    request.slot = make_slot(drawn.slot, progress);
+    request.drawn = drawn.drawn;
+  }
 }
 
 /// Adds a fault for every member of `heads` that a type of slot does not have.
@@ -35,6 +42,16 @@ void allow_only(std::initializer_list<const char*> known, const json& heads, con
       faults.push_back({{"heads", member}, "does not belong to " + type});
 }
 
+/// Adds faults for a stator's heads that contradict each other.
+void check_heads(const winding::StatorHeads& h, std::vector<InputFault>& faults) {
+  if (2 * std::atan2(h.tool_shift, h.tool_radius) >= h.span * h.slot_pitch)
+    faults.push_back({{"heads", "tool_shift"}, "lets the winding tools of the coil's two sides pass each other"});
+  if (h.span * h.slot_pitch > std::numbers::pi * (1 + 1e-9))
+    faults.push_back(
+        {{"heads", "span"},
+         "takes the coil around more than half of the stator; the shorter way has the number of slots less this span"});
+}
+
 winding::StatorHeads heads_of_stator(const json& heads, const winding::StatorSlot& slot,
                                      std::vector<InputFault>& faults) {
   allow_only({"slot_pitch", "span", "tool_radius", "tool_shift", "tool_height", "stack"}, heads, "a stator slot",
@@ -42,12 +59,30 @@ winding::StatorHeads heads_of_stator(const json& heads, const winding::StatorSlo
   winding::StatorHeads h = stator_heads(heads, slot, {"heads"}, faults);
   take(heads, "slot_pitch", h.slot_pitch, degree);
   take(heads, "span", h.span);
-  if (2 * std::atan2(h.tool_shift, h.tool_radius) >= h.span * h.slot_pitch)
-    faults.push_back({{"heads", "tool_shift"}, "lets the winding tools of the coil's two sides pass each other"});
-  if (h.span * h.slot_pitch > std::numbers::pi * (1 + 1e-9))
+  check_heads(h, faults);
+  return h;
+}
+
+/// Reads the heads of a drawn slot. Its layouts depend on the places of the tools relative to the slot's base, which
+/// have defaults; how far the base lies from the axis serves to place and check what is given from the axis.
+winding::StatorHeads heads_of_drawn(const json& heads, const winding::Slot& slot, std::vector<InputFault>& faults) {
+  allow_only({"base_radius", "slot_pitch", "span", "tool_radius", "tool_shift", "tool_height", "stack"}, heads,
+             "a polygon", faults);
+  const bool placed = heads.contains("base_radius");
+  if (!placed && heads.contains("tool_radius"))
+    faults.push_back({{"heads", "base_radius"},
+                      "is needed with tool_radius: a drawn slot does not tell how far from the axis it lies"});
+  winding::StatorSlot base;
+  base.base_radius = winding::StatorHeads{}.base_radius, base.liner = 0;
+  winding::StatorHeads h = stator_heads(heads, base, {"heads"}, faults);
+  take(heads, "slot_pitch", h.slot_pitch, degree);
+  h.span = 1;  // without heads.span two coil sides lie side by side
+  take(heads, "span", h.span);
+  if (!placed) return h;
+  if (h.base_radius <= slot.iron.box().high.y)
     faults.push_back(
-        {{"heads", "span"},
-         "takes the coil around more than half of the stator; the shorter way has the number of slots less this span"});
+        {{"heads", "base_radius"}, "is no more than the slot's height: the slot would reach the stator's axis"});
+  if (heads.contains("slot_pitch")) check_heads(h, faults);
   return h;
 }
 
@@ -84,22 +119,22 @@ void read_algorithms(const json& spec, FillRequest& request, std::vector<InputFa
 
 void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
   const json heads = spec.value("heads", json::object());
-  if (spec["slot"]["type"] == "stator") {
-    const winding::StatorHeads h = heads_of_stator(heads, stator_slot(spec["slot"]), faults);
-    // The default is the source's for every slot, because it only determines where the heads lie.
-    if (heads.contains("slot_pitch") && !winding::leaves_teeth(request.slot, h.base_radius, h.slot_pitch))
-      faults.push_back({{"heads", "slot_pitch"}, "leaves no tooth between the slots: a larger one is needed"});
-    request.heads = h;
-  }
   if (spec["slot"]["type"] == "rotor") {
     winding::RotorPart part{rotor_slot(spec["slot"]), heads_of_rotor(heads, faults)};
     request.heads = part.heads;
     take(heads, "poles", part.poles);
     const auto gap = heads.contains("poles") ? gap_between_poles(part, faults) : std::nullopt;
     if (gap) request.slot.opening->clear = *gap;
+    return;
   }
-  if (spec["slot"]["type"] == "polygon" && !heads.empty())
-    faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
+  const bool drawn = request.slot.type == winding::Slot::Type::polygon;
+  const winding::StatorHeads h =
+      drawn ? heads_of_drawn(heads, request.slot, faults) : heads_of_stator(heads, stator_slot(spec["slot"]), faults);
+  // The default is the source's for every slot, because it only determines where the heads lie.
+  if (heads.contains("slot_pitch") && (!drawn || heads.contains("base_radius")) &&
+      !winding::leaves_teeth(request.slot, h.base_radius, h.slot_pitch))
+    faults.push_back({{"heads", "slot_pitch"}, "leaves no tooth between the slots: a larger one is needed"});
+  request.heads = h;
 }
 
 /// Computes the usable area of one of two coil sides, and the needle that lays it.
@@ -117,7 +152,8 @@ void read_sides(const json& spec, FillRequest& request, std::vector<InputFault>&
   if (!width) return;
   if (!request.slot.opening) faults.push_back({{"needle_width"}, "needs the opening of the polygon, slot.opening"});
   const bool beside = two && how == winding::Sharing::beside && request.slot.type != winding::Slot::Type::rotor;
-  request.needle = winding::Needle{*width, beside ? winding::Needle::Stand::left : winding::Needle::Stand::middle};
+  request.needle = winding::Needle{*width, beside ? winding::Needle::Stand::left : winding::Needle::Stand::middle, 1,
+                                   spec.value("needle_swivels", false)};
 }
 
 /// Adds faults for wires that do not fit, too many wires, and turns that no layout can hold, by the thinnest wire,
@@ -158,7 +194,7 @@ void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault
 
 FillRequest request(const json& spec, Progress* progress) {
   FillRequest request;
-  request.slot = slot(spec["slot"], progress);
+  read_slot(spec["slot"], request, progress);
   std::vector<InputFault> faults;
   request.wires = wires(spec, spec.value("grade", 2), faults);
   read_algorithms(spec, request, faults);
@@ -166,7 +202,7 @@ FillRequest request(const json& spec, Progress* progress) {
   request.seed = spec.value("seed", std::uint64_t{1});
   request.effort = spec.value("effort", 1.0);
   request.shifts = spec.value("shifts", 4);
-  request.tie_in = spec.contains("tie_in") ? point(spec["tie_in"]) : request.slot.tension_point;
+  request.tie_in = spec.contains("tie_in") ? request.drawn.foot(point(spec["tie_in"])) : request.slot.tension_point;
   read_heads(spec, request, faults);
   read_sides(spec, request, faults);
   const json turns = spec.value("turns", json::object());

@@ -30,8 +30,17 @@ class WireReader {
     const auto series = range.value("series", "R20") == "R40" ? winding::Series::r40 : winding::Series::r20;
     const double least = range.value("least", 0.5), most = range.value("most", 1.6);
     auto wires = winding::standard_wires(grade_, least, most, series);
-    if (wires.empty())
-      faults_.push_back({{"wire_range"}, "holds no standard wire; one is " + neighbouring_wires(least, grade_)});
+    const auto mm = [&](const char* member, double value, double other) {
+      return short_number(value, other) + " mm" + (range.contains(member) ? "" : " (the default)");
+    };
+    if (least > most) {
+      faults_.push_back(
+          {{"wire_range"}, "is reversed: least is " + mm("least", least, most) + ", most " + mm("most", most, least)});
+    } else if (wires.empty()) {
+      faults_.push_back({{"wire_range"},
+                         "holds no wire of series " + range.value("series", std::string("R20")) + "; the nearest are " +
+                             neighbouring_wires(least, grade_, series)});
+    }
     return wires;
   }
 };

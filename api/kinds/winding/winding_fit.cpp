@@ -7,6 +7,7 @@
 
 #include "api/kinds/winding/winding_input.hpp"
 #include "core/winding/laying/access.hpp"
+#include "core/winding/margin.hpp"
 #include "core/winding/part/part.hpp"
 
 namespace bahnwerk::api::winding_kind {
@@ -16,8 +17,10 @@ using nlohmann::json;
 using winding::RotorPart;
 using winding::StatorPart;
 
+// With a second number the first one has as many digits as distinguish both.
 std::string mm(double length) { return short_number(length) + " mm"; }
-std::string newtons(double force) { return short_number(force) + " N"; }
+std::string mm(double length, double other) { return short_number(length, other) + " mm"; }
+std::string newtons(double force, double other) { return short_number(force, other) + " N"; }
 
 class Fit {
  public:
@@ -51,61 +54,71 @@ class Fit {
     return given_in(object, member) ? "" : " (the default)";
   }
 
+  /// Compares with the tolerance that the layouts have, as kind fill_factor does.
+  static bool exceeds(double size, double clear) { return size > clear + winding::verify_margin; }
+
   void opening() {
-    const std::string way = stator_ ? "the slot's clear opening of " + mm(clear_) +
-                                          (stator_->drawn ? "" : " (opening_width less twice tip_corner_radius)")
-                                    : "the gap of " + mm(clear_) + " between the coils of neighbouring poles";
     const double width = request_.needle.width, keep = request_.least_clearance;
-    if (outer_ > clear_)
-      add({"wire"}, "is " + mm(outer_) + " overall and does not pass " + way + ": a thinner wire is needed");
-    if (width > clear_) {
-      add({"needle", "width"}, "is " + mm(width) + usual("needle", "width") + ": the needle does not pass " + way +
-                                   ": a narrower needle is needed");
-    } else if (keep > 0 && width + 2 * keep > clear_) {
-      add({"needle", "clearance"}, "is " + mm(keep) + ": a needle of " + mm(width) + " leaves " +
-                                       mm((clear_ - width) / 2) + " on either side in " + way);
+    const auto way = [&](double size) {
+      return stator_ ? "the slot's clear opening of " + mm(clear_, size) +
+                           (stator_->drawn ? "" : " (opening_width less twice tip_corner_radius)")
+                     : "the gap of " + mm(clear_, size) + " between the coils of neighbouring poles";
+    };
+    if (exceeds(outer_, clear_))
+      add({"wire"},
+          "is " + mm(outer_, clear_) + " overall and does not pass " + way(outer_) + ": a thinner wire is needed");
+    if (exceeds(width, clear_)) {
+      add({"needle", "width"}, "is " + mm(width, clear_) + usual("needle", "width") + ": the needle does not pass " +
+                                   way(width) + ": a narrower needle is needed");
+    } else if (const double beside = (clear_ - width) / 2; keep > 0 && exceeds(keep, beside)) {
+      add({"needle", "clearance"}, "is " + mm(keep, beside) + ": a needle of " + mm(width) + " leaves " +
+                                       mm(beside, keep) + " on either side in " + way(width));
     }
     const std::size_t wires = request_.parallel;
     const double bundle = winding::bundle_diameter(wires, outer_);
-    if (bundle >= width)
-      add({"needle", "width"},
-          "is " + mm(width) + usual("needle", "width") + ": " +
-              (wires > 1
-                   ? "coil.parallel wires of " + mm(outer_) +
-                         " overall, which are led inside the needle in a "
-                         "bundle of " +
-                         (wires > winding::exact_bundle ? "at least " : "") + mm(bundle) + ", do not run in it"
-                   : "the wire of " + mm(outer_) + " overall, which is led inside the needle, does not run in it"));
+    if (!exceeds(width, bundle))
+      add({"needle", "width"}, "is " + mm(width, bundle) + usual("needle", "width") + ": " +
+                                   (wires > 1 ? "coil.parallel wires of " + mm(outer_) +
+                                                    " overall, which are led inside the needle in a "
+                                                    "bundle of " +
+                                                    (wires > winding::exact_bundle ? "at least " : "") +
+                                                    mm(bundle, width) + ", do not run in it"
+                                              : "the wire of " + mm(outer_, width) +
+                                                    " overall, which is led inside the needle, does not run in it"));
   }
 
   void pull() {
     const double strength = wire_strength(spec_), bears = winding::breaking_pull(request_.wire, strength),
                  force = request_.tension.force, permitted = request_.tension.permitted;
-    const std::string wire = "a wire of " + mm(request_.wire.copper) + " copper bears " + newtons(bears) + " at " +
-                             short_number(strength) + " N/mm²";
+    const auto wire = [&](double pull) {
+      return "a wire of " + mm(request_.wire.copper) + " copper bears " + newtons(bears, pull) + " at " +
+             short_number(strength) + " N/mm²";
+    };
     if (force > bears)
-      add({"pull", "force"}, "is " + newtons(force) + ": " + wire + " (pull.strength) and breaks");
+      add({"pull", "force"}, "is " + newtons(force, bears) + ": " + wire(force) + " (pull.strength) and breaks");
     else if (permitted < force)
-      add({"pull", "force"}, "is more than pull.permitted: set it lower, or permit more");
+      add({"pull", "force"}, "is " + newtons(force, permitted) + ", more than pull.permitted, " +
+                                 newtons(permitted, force) + ": set it lower, or permit more");
     if (given_in("pull", "permitted") && permitted > bears)
-      add({"pull", "permitted"}, "is " + newtons(permitted) + ": " + wire + " (pull.strength)");
-    if (request_.tension.range > 0 && request_.tension.range < force)
-      add({"pull", "brake_range"},
-          "is less than pull.force, " + newtons(force) + ": the brake cannot hold the wire at it");
+      add({"pull", "permitted"}, "is " + newtons(permitted, bears) + ": " + wire(permitted) + " (pull.strength)");
+    if (const double range = request_.tension.range; range > 0 && range < force)
+      add({"pull", "brake_range"}, "is " + newtons(range, force) + ", less than pull.force, " + newtons(force, range) +
+                                       ": the brake cannot hold the wire at it");
     const double moment = request_.model.pull.bending_moment,
                  most = winding::bending_moment(request_.wire, strength) * (1 + 1e-9);
     if (given_in("pull", "bending_moment") && moment > most)
-      add({"pull", "bending_moment"}, "is " + short_number(moment) + " N mm: " + short_number(strength) +
+      add({"pull", "bending_moment"}, "is " + short_number(moment, most) + " N mm: " + short_number(strength) +
                                           " N/mm² (pull.strength) all over the wire's section make " +
-                                          short_number(most) + " N mm");
+                                          short_number(most, moment) + " N mm");
   }
 
   void bend() {
     const winding::Pull& pull = request_.model.pull;
     if (pull.bend_radius < outer_)
       add({"pull", "bend_radius"},
-          "is " + mm(pull.bend_radius) + usual("pull", "bend_radius") + ": a wire of " + mm(outer_) +
-              " overall is not bent in a smaller circle than round a mandrel of its own diameter, " + mm(outer_));
+          "is " + mm(pull.bend_radius, outer_) + usual("pull", "bend_radius") + ": a wire of " +
+              mm(outer_, pull.bend_radius) +
+              " overall is not bent in a smaller circle than round a mandrel of its own diameter");
     const double circle = std::max(pull.bend_radius, stretched()), most = turn_height() / 2;
     if (circle >= most)
       add(bends(),
@@ -138,18 +151,21 @@ class Fit {
   /// Checks that the needle, and the wire between it and its place, fit into the bore.
   void bore() {
     const double bore = winding::bore(*stator_);
-    const std::string in = " the bore of " + mm(bore) + " (twice base_radius less height)";
+    const auto in = [&](double length) {
+      return " the bore of " + mm(bore, length) + " (twice base_radius less height)";
+    };
     if (request_.needle.length >= bore)
-      add({"needle", "length"},
-          "is " + mm(request_.needle.length) + usual("needle", "length") + ": the needle does not fit across" + in);
+      add({"needle", "length"}, "is " + mm(request_.needle.length, bore) + usual("needle", "length") +
+                                    ": the needle does not fit across" + in(request_.needle.length));
     if (request_.swivel_length >= bore)
-      add({"machine", "l_tool"},
-          "is " + mm(request_.swivel_length) + usual("machine", "l_tool") + ": the swivel's axis lies beyond" + in);
+      add({"machine", "l_tool"}, "is " + mm(request_.swivel_length, bore) + usual("machine", "l_tool") +
+                                     ": the swivel's axis lies beyond" + in(request_.swivel_length));
     const winding::Pull& pull = request_.model.pull;
     if (std::max(pull.bend_radius, stretched()) >= bore / 2) {
-      add(bends(), bend_in_words() + ": the bend does not fit into half of" + in);
+      add(bends(), bend_in_words() + ": the bend does not fit into half of" + in(0));
     } else if (pull.free_length >= bore) {
-      add({"pull", "free_length"}, "is " + mm(pull.free_length) + ": the free wire does not fit across" + in);
+      add({"pull", "free_length"},
+          "is " + mm(pull.free_length, bore) + ": the free wire does not fit across" + in(pull.free_length));
     }
     const winding::StatorSlot& slot = stator_->slot;
     const double apart = std::abs(stator_->heads.base_radius - slot.base_radius);

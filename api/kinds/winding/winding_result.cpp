@@ -8,6 +8,7 @@
 
 #include "api/slot/slot_input.hpp"
 #include "api/slot/windable_result.hpp"
+#include "core/base/number_text.hpp"
 #include "core/machine/robot_winder.hpp"
 
 namespace bahnwerk::api::winding_kind {
@@ -97,8 +98,9 @@ void add_windable_notes(const WindingRequest& request, const WindingPlan& plan, 
 
 ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
   ordered_json list = ordered_json::array();
-  // Where the wire leaves the needle at more than a right angle its tension rises [Herrmann 4.2.6].
-  constexpr double right_angle = std::numbers::pi / 2 + 1e-9;
+  // Where the wire leaves the needle at more than a right angle its tension rises [Herrmann 4.2.6]. Angles that a tenth
+  // of a degree, as the note tells them, does not distinguish from it do not count.
+  constexpr double right_angle = 90.05 / degrees;
   std::size_t bent = 0, all = 0;
   double most = 0;
   for (const FixedPiece& piece : plan.support)
@@ -110,7 +112,7 @@ ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
   if (bent > 0)
     list.push_back("at " + std::to_string(bent) + " of " + std::to_string(all) +
                    " support points the wire leaves the needle at more than 90 deg, at most at " +
-                   std::to_string(std::lround(degrees * most)) + " deg: its tension rises there");
+                   number_text(std::round(10 * degrees * most) / 10, 4) + " deg: its tension rises there");
   if (takes_profile(request) && !speed_profile_row(request.profile).limits_jerk)
     list.push_back(std::string("profile ") + name_of<SpeedProfile>(request.profile, speed_profiles) +
                    ": the acceleration jumps where a change of speed begins and ends; no jerk limit of axes or feed is "
@@ -124,8 +126,9 @@ ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
         " wires in hand: the needle goes through the middle of the places of each turn; pull.force is that of "
         "one wire");
   if (plan.clearance.minimum < 0)
-    list.push_back("needle.clearance is negative: the needle of this plan reaches " +
-                   short_number(-plan.clearance.minimum) + " mm into what it must not touch");
+    list.push_back((request.least_clearance < 0 ? "needle.clearance is negative: the" : "the") +
+                   std::string(" needle of this plan reaches ") + short_number(-plan.clearance.minimum) +
+                   " mm into what it must not touch");
   const std::size_t places = plan.layout[0].wires.size() / request.parallel;
   if (request.turns > 0 && request.turns < places)
     list.push_back("the slot takes " + std::to_string(places) + " turns of this wire, " +

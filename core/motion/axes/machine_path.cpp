@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/base/number_text.hpp"
 #include "core/numeric/sign_change.hpp"
 
 namespace bahnwerk {
@@ -86,10 +86,10 @@ void hold_ranges(const KinematicAxisPath& path, const std::vector<AxisSpan>& spa
     const bool rotary = axis.unit == "rad";
     const double shown = rotary ? 180 / std::numbers::pi : 1;  // documents have deg
     const char* const unit = rotary ? "deg" : axis.unit.c_str();
-    char text[240];
-    std::snprintf(text, sizeof text, "axis %s would have to go from %.6g to %.6g %s, its range is %.6g to %.6g %s",
-                  axis.name.c_str(), shown * span.lowest, shown * span.highest, unit, shown * axis.lowest,
-                  shown * axis.highest, unit);
+    const auto apart = [&](double a, double b) { return number_text(shown * a, shown * b, 6); };
+    const std::string text = "axis " + axis.name + " would have to go from " + apart(span.lowest, axis.lowest) +
+                             " to " + apart(span.highest, axis.highest) + " " + unit + ", its range is " +
+                             apart(axis.lowest, span.lowest) + " to " + apart(axis.highest, span.highest) + " " + unit;
     throw UnreachablePose(text, s, path.pose(segment, path[segment].parameter(s)).coordinates());
   }
 }

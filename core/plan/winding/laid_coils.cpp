@@ -96,9 +96,9 @@ class Laying {
       layout.wires.resize(count), layout.tension_points.resize(count);
     }
     winding::LaidCoil coil{slot, request_.wire.radius(), layouts[0], slot.tension_point,
-                           winding::Needle{request_.needle.width, winding::Needle::Stand::middle, request_.parallel}};
+                           winding::Needle{request_.needle.width, winding::Needle::Stand::middle, request_.parallel,
+                                           request_.model.pivot_limit.has_value()}};
     coil.back = &layouts[1];
-    coil.swivels = request_.model.pivot_limit.has_value();
     ProgressPart verdict(progress_, "layout", fitted, fitted);
     plan_.windable = winding::windable(coil, request_.hold, verdict);
   }

@@ -1,6 +1,9 @@
 #include "core/plan/winding/winding_drawings.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,6 +20,23 @@ std::vector<BezierPiece> curves(const WindingPlan& plan, std::size_t end) {
   return all;
 }
 
+void append(std::vector<winding::Polyline3> more, std::vector<winding::Polyline3>& lines) {
+  std::move(more.begin(), more.end(), std::back_inserter(lines));
+}
+
+/// Returns one line per coil, through the places of its wires.
+std::vector<winding::Polyline3> laid_wires(const std::vector<winding::Turn>& turns) {
+  std::vector<winding::Polyline3> lines;
+  for (const winding::Turn& turn : turns) {
+    if (turn.number == 0) lines.emplace_back();
+    for (const winding::Passage& passage : turn.at) {
+      lines.back().push_back(passage.begin);
+      lines.back().push_back(passage.end);
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string needle_path_drawing(const WindingRequest& request, const WindingPlan& plan) {
@@ -30,11 +50,21 @@ std::string needle_path_drawing(const WindingRequest& request, const WindingPlan
   while (last > 0 && plan.support[pieces[last - 1].fixed].turn == end.turn &&
          plan.support[pieces[last - 1].fixed].coil == end.coil)
     --last;
-  return winding::path_drawing(
-      {title, all,
-       std::visit([](const auto& part) { return winding::part_outline(part, winding::checked_slot(part)); },
-                  request.part),
-       last, plan.turns.size()});
+  winding::DrawnPath drawn{title, all, {}, last, plan.turns.size()};
+  std::visit(
+      [&](const auto& part) {
+        const winding::Slot slot = winding::checked_slot(part);
+        drawn.outline = winding::part_outline(part, slot);
+        for (const winding::Coil& coil : request.coils) append(winding::coil_outline(part, slot, coil), drawn.coils);
+        drawn.slots = winding::slot_labels(part, request.coils);
+      },
+      request.part);
+  if (const auto* stator = std::get_if<winding::StatorPart>(&request.part))
+    for (const winding::Coil& coil : request.coils)
+      append(winding::post_outline(*stator, request.tool, coil), drawn.posts);
+  drawn.wires = laid_wires(plan.turns);
+  drawn.needle_length = request.needle.length, drawn.needle_width = request.needle.width;
+  return winding::path_drawing(drawn);
 }
 
 std::string turn_curvature_drawing(const WindingPlan& plan) {

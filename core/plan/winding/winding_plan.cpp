@@ -8,10 +8,12 @@
 #include <span>
 #include <utility>
 
+#include "core/base/number_text.hpp"
 #include "core/base/progress_part.hpp"
 #include "core/motion/feed/curvature_feed.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/numeric/bisection.hpp"
+#include "core/plan/winding/bend_reach.hpp"
 #include "core/plan/winding/coil_passes.hpp"
 #include "core/plan/winding/laid_coils.hpp"
 #include "core/plan/winding/link_timer.hpp"
@@ -74,13 +76,8 @@ class Planner {
 
  private:
   winding::NeedlePath linked_by(LinkObjective objective) {
-    winding::LinkOptions options = request_.links;
-    options.objective = objective;
-    const auto* stator = std::get_if<StatorPart>(&request_.part);
     ProgressPart linking(progress_, "link", laid, linked);
-    if (stator == nullptr) return winding::needle_path(plan_.support, false, options, linking);
-    const winding::PostPassage posts(*stator, request_.coils, request_.tool, request_.needle, request_.least_clearance);
-    return winding::needle_path(plan_.support, true, options, linking, &posts);
+    return linked_path(request_, plan_.support, objective, linking);
   }
 
   /// Replaces the smoothest links by those that take the least time, if the whole path takes less with them.
@@ -270,7 +267,18 @@ class Planner {
   }
   UnreachableTurn placed(const UnreachablePose& pose) const {
     const FixedPiece& piece = piece_at(pose.path_length >= 0 ? pose.path_length : 0);
-    return {pose, turn_in_words(piece) + ": " + pose.what(), piece};
+    const std::string words = turn_in_words(piece) + ": " + pose.what();
+    const winding::Pull& pull = request_.model.pull;
+    const double circle = winding::bend_radius(pull), least = request_.wire.outer;
+    if (!(circle > least) || !reaches_with_least_bend(request_, plan_.turns, piece, progress_))
+      return {pose, words, {"machine"}, piece};
+    const char* const cause = circle > pull.bend_radius ? "force" : "bend_radius";
+    return {pose,
+            "the circle of " + number_text(circle, 4) +
+                " mm in which the wire bends at the needle takes it out of the machine's reach; one of " +
+                number_text(least, 4) + " mm, the least, would not: " + words,
+            {"pull", cause},
+            piece};
   }
   FeedTooFastAtTurn placed(const FeedTooFast& feed) const {
     const FixedPiece& piece = piece_at(feed.limit.s);

@@ -5,11 +5,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/base/named.hpp"
+#include "core/base/unreachable_at.hpp"
 #include "core/motion/axes/machine_path.hpp"
 #include "core/motion/feed/constant_feed.hpp"
 #include "core/motion/interpolation/interpolation.hpp"
@@ -118,12 +120,10 @@ struct WindingPlan {
 };
 
 /// A pose of the needle's path is out of the machine's reach; the error names its turn and region.
-struct UnreachableTurn : UnreachablePose {
-  UnreachableTurn(const UnreachablePose& place, const std::string& what, const winding::FixedPiece& piece)
-      : UnreachablePose(what, place.path_length, place.pose),
-        coil(piece.coil),
-        turn(piece.turn),
-        region(piece.region) {}
+struct UnreachableTurn : UnreachableAt {
+  UnreachableTurn(const UnreachablePose& reached, const std::string& what, std::vector<std::string> member,
+                  const winding::FixedPiece& piece)
+      : UnreachableAt(what, reached, std::move(member)), coil(piece.coil), turn(piece.turn), region(piece.region) {}
   std::size_t coil, turn, region;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "core/drawing/path_lines.hpp"
 #include "core/drawing/spline_points.hpp"
@@ -12,7 +13,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-constexpr double size = 860, margin = 24, title_height = 56, foot = 40, fine = 0.3;  // px
+constexpr double size = 860, margin = 24, title_height = 36, row_height = 20, foot = 40, fine = 0.3;  // px
 constexpr const char* curve_colour = "#1f5fbf";
 
 /// Isometric projection: x and y lead down to the left and to the right, 30° below the horizontal; mm on paper, y
@@ -24,7 +25,7 @@ Point isometric(Vec p) {
 
 struct View {
   Point low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  double scale = 1;
+  double scale = 1, top = title_height;
   void widen(Vec at) {
     const Point p = isometric(at);
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -36,7 +37,7 @@ struct View {
   }
   Point operator()(Vec at) const {
     const Point p = isometric(at);
-    return {margin + scale * (p.x - low.x), margin + title_height + scale * (high.y - p.y)};
+    return {margin + scale * (p.x - low.x), margin + top + scale * (high.y - p.y)};
   }
 };
 
@@ -89,49 +90,113 @@ double tick(double most, double count) {
 namespace {
 
 constexpr const char *way_colour = "#1f5fbf", *last_colour = "#c1121f", *begin_colour = "#1d8a5f",
-                     *outline_colour = "#b6bcc5";
+                     *outline_colour = "#b6bcc5", *coil_colour = "#20242a", *post_colour = "#7b3fa0",
+                     *wire_colour = "#c77b30", *needle_colour = "#5c6b7a";
 
-std::string key(Point at, std::size_t turns, bool several) {
-  std::string out;
-  const auto words = [&](const char* text) {
-    out += svg::text(at + Point{34, 4}, text, "font-size=\"12\" fill=\"#20242a\"");
-    at.x += 46 + 6.4 * static_cast<double>(std::string(text).size());
-  };
-  const auto line = [&](const char* colour, double width, double opacity, const char* text) {
+/// The meaning of lines and marks, in as many rows as the width takes.
+class Key {
+ public:
+  explicit Key(double width) : width_(width) {}
+  void line(const char* colour, double width, double opacity, const char* words) {
     char look[120];
     std::snprintf(look, sizeof look, "stroke=\"%s\" stroke-width=\"%g\" stroke-opacity=\"%.3g\"", colour, width,
                   opacity);
-    out += svg::segment(at, at + Point{26, 0}, look);
-    words(text);
-  };
-  if (several) line(way_colour, 1.2, faintness(turns), turns > 2 ? "turns before" : "turn before");
-  line(last_colour, 2, 1, several ? "last turn" : "needle's tip");
-  out += svg::circle(at + Point{13, 0}, 4.5, std::string("fill=\"") + begin_colour + "\"");
-  words("begin");
-  out += svg::circle(at + Point{13, 0}, 4.5,
-                     std::string("fill=\"#ffffff\" stroke-width=\"2\" stroke=\"") + last_colour + "\"");
-  words("end");
-  line(outline_colour, 0.7, 1, "part");
+    const Point at = next(words);
+    svg_ += svg::segment(at, at + Point{26, 0}, look);
+  }
+  void mark(const std::string& look, const char* words) { svg_ += svg::circle(next(words) + Point{13, 0}, 4.5, look); }
+  double height() const { return at_.y - margin - title_height + row_height; }  ///< px, of all rows
+  const std::string& svg() const { return svg_; }
+
+ private:
+  Point next(const char* words) {
+    const double wide = 46 + 6.4 * static_cast<double>(std::string_view(words).size());
+    if (at_.x > margin && at_.x + wide > width_) at_ = {margin, at_.y + row_height};
+    const Point at = at_;
+    svg_ += svg::text(at + Point{34, 4}, words, "font-size=\"12\" fill=\"#20242a\"");
+    at_.x += wide;
+    return at;
+  }
+
+  double width_;
+  Point at_{margin, margin + title_height - 10};
+  std::string svg_;
+};
+
+std::string begin_mark() { return std::string("fill=\"") + begin_colour + "\""; }
+std::string end_mark() { return std::string("fill=\"#ffffff\" stroke-width=\"2\" stroke=\"") + last_colour + "\""; }
+
+Key key(const DrawnPath& path, bool several, double width) {
+  Key key(width);
+  if (several) key.line(way_colour, 1.2, faintness(path.turns), path.turns > 2 ? "turns before" : "turn before");
+  key.line(last_colour, 2, 1, several ? "last turn" : "needle's tip");
+  key.mark(begin_mark(), "begin");
+  key.mark(end_mark(), "end");
+  key.line(outline_colour, 0.7, 1, "part");
+  if (!path.coils.empty()) key.line(coil_colour, 1, 1, "slots of the coil");
+  if (!path.posts.empty()) key.line(post_colour, 1, 1, "winding tools");
+  if (!path.wires.empty()) key.line(wire_colour, 1, 1, "laid wires");
+  if (path.needle_length > 0) key.line(needle_colour, 5, 0.6, "needle at the end");
+  return key;
+}
+
+/// Numbers of slots, those of coils bold, of the others only as many as do not overlap.
+std::string numbers(const std::vector<SlotLabel>& slots, const View& view) {
+  constexpr double apart = 17;  // px
+  std::string out;
+  std::vector<Point> written;
+  for (const bool marked : {true, false})
+    for (const SlotLabel& label : slots) {
+      if (label.marked != marked) continue;
+      const Point at = view(label.at);
+      if (std::any_of(written.begin(), written.end(), [&](Point p) { return distance(p, at) < apart; })) continue;
+      written.push_back(at);
+      out += svg::text(at + Point{0, 4}, std::to_string(label.slot),
+                       std::string("text-anchor=\"middle\" font-size=\"") +
+                           (marked ? "13\" font-weight=\"bold\" fill=\"" : "11\" fill=\"") +
+                           (marked ? coil_colour : "#6b7480") + "\"");
+    }
   return out;
+}
+
+drawing::Thinned thinned(const std::vector<Polyline3>& lines, const View& view) {
+  drawing::Thinned thin(fine);
+  for (const Polyline3& line : lines) {
+    if (line.empty()) continue;
+    thin.begin(view(line.front()));
+    for (const Vec at : line) thin.to(view(at));
+    thin.end();
+  }
+  return thin;
+}
+
+/// Returns the needle where the path ends, from its tip to its holder.
+Polyline3 needle(const DrawnPath& path) {
+  const auto end = path.pieces.back().at(1)[0];
+  const double phi = end[3], psi = end[4];
+  const Vec tip = place(end), way{std::cos(phi) * std::cos(psi), std::sin(phi) * std::cos(psi), -std::sin(psi)};
+  return {tip, tip - path.needle_length * way};
 }
 
 }  // namespace
 
 std::string path_drawing(const DrawnPath& path) {
   View view;
-  for (const Polyline3& line : path.outline)
-    for (const Vec at : line) view.widen(at);
+  for (const auto* lines : {&path.outline, &path.posts, &path.wires})
+    for (const Polyline3& line : *lines)
+      for (const Vec at : line) view.widen(at);
+  for (const SlotLabel& label : path.slots) view.widen(label.at);
+  const bool bar = path.needle_length > 0 && !path.pieces.empty();
+  if (bar)
+    for (const Vec at : needle(path)) view.widen(at);
   // The first pass determines the size, the second one draws with the accuracy that this size needs.
   for (const BezierPiece& piece : path.pieces)
     for (int i = 0; i <= 8; ++i) view.widen(place(piece.at(i / 8.0)[0]));
   view.fit();
-  drawing::Thinned outline(fine);
-  for (const Polyline3& line : path.outline) {
-    if (line.empty()) continue;
-    outline.begin(view(line.front()));
-    for (const Vec at : line) outline.to(view(at));
-    outline.end();
-  }
+  const std::size_t split = std::min(path.last_turn, path.pieces.size());
+  const double width = std::max(560.0, 2 * margin + view.scale * (view.high.x - view.low.x));
+  const Key words = key(path, split > 0, width);
+  view.top = title_height + words.height();
   drawing::Thinned before(fine), last(fine);
   const double tolerance = 0.1 * fine / view.scale;
   const auto append = [&](drawing::Thinned& line, std::size_t first, std::size_t end) {
@@ -142,19 +207,22 @@ std::string path_drawing(const DrawnPath& path) {
       line.end();
     }
   };
-  const std::size_t split = std::min(path.last_turn, path.pieces.size());
   append(before, 0, split);
   append(last, split, path.pieces.size());
-  const double height = margin + title_height + view.scale * (view.high.y - view.low.y) + foot + 2 * margin;
-  std::string out = svg::open(std::max(560.0, 2 * margin + view.scale * (view.high.x - view.low.x)), height);
+  const double height = margin + view.top + view.scale * (view.high.y - view.low.y) + foot + 2 * margin;
+  std::string out = svg::open(width, height);
   out += svg::text({margin, margin + 6}, path.title, "font-size=\"16\" fill=\"#20242a\"");
-  out += key({margin, margin + 26}, path.turns, split > 0);
-  out += drawn(outline, outline_colour, 0.7);
+  out += words.svg();
+  out += drawn(thinned(path.outline, view), outline_colour, 0.7);
+  out += drawn(thinned(path.coils, view), coil_colour, 1) + drawn(thinned(path.posts, view), post_colour, 1);
+  out += drawn(thinned(path.wires, view), wire_colour, 1, faintness(path.turns));
+  out += numbers(path.slots, view);
   out += drawn(before, way_colour, 1.2, faintness(path.turns)) + drawn(last, last_colour, 2);
   if (!path.pieces.empty()) {
-    out += svg::circle(view(place(path.pieces.front().at(0)[0])), 4.5, std::string("fill=\"") + begin_colour + "\"");
-    out += svg::circle(view(place(path.pieces.back().at(1)[0])), 4.5,
-                       std::string("fill=\"#ffffff\" stroke-width=\"2\" stroke=\"") + last_colour + "\"");
+    if (bar)
+      out += drawn(thinned({needle(path)}, view), needle_colour, std::max(3.0, view.scale * path.needle_width), 0.6);
+    out += svg::circle(view(place(path.pieces.front().at(0)[0])), 4.5, begin_mark());
+    out += svg::circle(view(place(path.pieces.back().at(1)[0])), 4.5, end_mark());
   }
   return out + scale_bar(view, height) + "</svg>\n";
 }

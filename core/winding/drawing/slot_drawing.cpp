@@ -67,6 +67,20 @@ std::string filled(const Region& region, const Frame& frame, const char* fill, c
          svg::attribute("stroke", stroke) + svg::attribute("stroke-width", width) + "/>\n";
 }
 
+/// Returns the strip of the opening between the slot's outline and its usable area, in which there is no liner. Where
+/// the slot is no wider than its opening, the liner of the walls ends beside it.
+Region mouth(const Slot& slot) {
+  if (!slot.opening || !(slot.opening->cover > 0)) return {};
+  const Opening& o = *slot.opening;
+  const Point along = left_of(o.into), deep = o.cover * o.into;
+  const auto end = [&](double side) {
+    const bool wider = slot.iron.distance(o.middle + 0.5 * deep + side * (o.clear / 2 + 0.1 * o.cover) * along) > 0;
+    return o.middle + side * std::max(0.1 * o.clear, o.clear / 2 - (wider ? 0 : o.cover)) * along;
+  };
+  const Point a = end(-1), b = end(1);
+  return Region({line(a, a + deep), line(a + deep, b + deep), line(b + deep, b), line(b, a)});
+}
+
 /// Draws the opening between the tooth tips, and the tips.
 std::string opening(const Slot& slot, const Frame& frame) {
   if (!slot.opening) return {};
@@ -110,6 +124,7 @@ std::string slot_drawing(const Slot& slot, const DrawnWires& wires) {
                               2 * margin + title_height + std::max(frame.scale * high, key.height));
   out += svg::text({margin, margin + 4}, drawn.title, "fill=\"#20242a\"");
   out += filled(slot.iron, frame, look::liner, look::outline, "1.6");
+  out += filled(mouth(slot), frame, "#ffffff", "none", "0");
   out += filled(slot.taken, frame, look::taken, "#8a919b", "1");
   out += filled(slot.usable_area, frame, "#ffffff", "#8a919b", "1");
   out += filled(slot.wedge, frame, look::wedge, "#8a919b", "1");

@@ -22,6 +22,7 @@ struct Needle {
   double width = 0;                          ///< mm
   Stand stand = Stand::middle;
   std::size_t wires = 1;  ///< wires in hand: it leads them all, side by side
+  bool swivels = false;   ///< whether it swivels in the opening, so that it reaches more than an upright one
 };
 
 /// Returns the diameter of the least circle round `wires` circles of `diameter`: exactly for up to seven [Graham: Sets

@@ -47,18 +47,6 @@ std::vector<Point> turn_pulls(const LayingRegions& regions, const Layout& layout
   return tension_points;
 }
 
-Layout needle(const Region& usable_area, double radius, Point tension_point, Progress& progress) {
-  Layout layout;
-  Sites sites(usable_area, radius, &progress);
-  while (const std::optional<Point> place = sites.nearest(tension_point)) {
-    progress.report("laying", share(layout.wires.size(), usable_area, radius));
-    sites.lay(*place);
-    layout.wires.push_back(*place);
-    layout.tension_points.push_back(tension_point);
-  }
-  return layout;
-}
-
 NeedleLayout needle(const Slot& slot, double radius, const StatorHeads& heads, Progress& progress) {
   return needle(laying_regions(slot, heads), radius, slot.tension_point, progress);
 }

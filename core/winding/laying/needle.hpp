@@ -27,9 +27,6 @@ NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, P
 /// the turn before, which guides the wire to the next row between two rows.
 std::vector<Point> turn_pulls(const LayingRegions& regions, const Layout& layout);
 
-/// Simulates one slot without winding heads: every wire is drawn to one point.
-Layout needle(const Region& usable_area, double radius, Point tension_point, Progress& progress);
-
 /// Simulates a stator slot with its heads and tie-in point.
 NeedleLayout needle(const Slot& slot, double radius, const StatorHeads& heads, Progress& progress);
 NeedleLayout needle(const Slot& slot, double radius, const RotorHeads& heads, Progress& progress);

@@ -13,7 +13,7 @@ std::vector<Windable::Blocked> blocked(const LaidCoil& coil, double touch, Progr
   const Opening& opening = *coil.slot.opening;
   for (const Obstruction& each : opening_obstructions(opening, coil.radius, coil.needle))
     found.push_back({each, false});
-  if (!coil.needle || coil.swivels || !found.empty() || coil.slot.type == Slot::Type::rotor) return found;
+  if (!coil.needle || coil.needle->swivels || !found.empty() || coil.slot.type == Slot::Type::rotor) return found;
   const auto channel = [&](const Region& usable_area, Needle needle, const Layout& layout, bool back) {
     ProgressPart last(progress, "needle access", 1, 1);
     const auto wire = first_out_of_reach(usable_area, opening, needle, coil.radius, touch, layout.wires, last);

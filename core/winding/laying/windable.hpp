@@ -23,7 +23,6 @@ struct LaidCoil {
   Point tension_point;                ///< draws the wires of a layout without tension points
   std::optional<Needle> needle;       ///< needle that has to pass the opening; none: only the wire has to
   const Layout* back = nullptr;       ///< layout in the coil's other slot; null: no verdict on that slot
-  bool swivels = false;               ///< whether the needle swivels, so that it reaches more than an upright one
   const Region* back_area = nullptr;  ///< usable area of the other slot; null: that of `slot`
 };
 
@@ -45,8 +44,9 @@ struct Windable {
   Producible producible_among(std::size_t count) const;
 };
 
-/// Decides the pile by producible(), wire and needle at the opening by opening_obstructions(), the needle's channel to
-/// every place by first_out_of_reach(); beside a rotor's coil the needle has the whole usable area between the poles.
+/// Decides the pile by producible(), wire and needle at the opening by opening_obstructions(), an upright needle's
+/// channel to every place by first_out_of_reach(). One that swivels is taken to reach every place, and beside a rotor's
+/// coil the needle has the whole usable area between the poles.
 /// Cost: that of producible(), up to the first wire that slips.
 Windable windable(const LaidCoil& coil, const ProducibleOptions& options, Progress& progress);
 

@@ -1,8 +1,10 @@
 #include "core/winding/layout/raabe.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
-#include "core/base/progress.hpp"
+#include "core/base/progress_part.hpp"
 #include "core/winding/layout/sites.hpp"
 
 namespace bahnwerk::winding {
@@ -20,10 +22,21 @@ std::optional<Point> lowest_at(double x, const Sites& sites, const Box& box) {
   return lowest;
 }
 
-}  // namespace
+Point mirrored(Point p) { return {-p.x, p.y}; }
 
-Layout raabe(const Region& usable_area, double radius, Progress& progress, int shifts) {
-  Layout best;
+/// Returns the region's mirror image at the y axis.
+Region mirrored(const Region& region) {
+  std::vector<Edge> edges;
+  for (const Edge& edge : region.edges())
+    edges.push_back(
+        Edge{mirrored(edge.from), mirrored(edge.to), mirrored(edge.centre), edge.radius, -edge.turn}.reversed());
+  std::reverse(edges.begin(), edges.end());
+  return Region(std::move(edges));
+}
+
+/// Returns the layout of the starts to the right, of several with equally many wires the one with the smallest shift.
+std::vector<Point> rightwards(const Region& usable_area, double radius, Progress& progress, int shifts) {
+  std::vector<Point> best;
   const Sites empty(usable_area, radius, &progress);
   Sites search = empty;
   const std::optional<Point> initial = search.least(up);
@@ -38,8 +51,20 @@ Layout raabe(const Region& usable_area, double radius, Progress& progress, int s
       const double share = static_cast<double>(sites.wires().size()) / (most + 1);
       progress.report("laying", (shift + (share < 1 ? share : 1)) / shifts);
     }
-    if (sites.wires().size() > best.wires.size()) best.wires.assign(sites.wires().begin(), sites.wires().end());
+    if (sites.wires().size() > best.size()) best.assign(sites.wires().begin(), sites.wires().end());
   }
+  return best;
+}
+
+}  // namespace
+
+Layout raabe(const Region& usable_area, double radius, Progress& progress, int shifts) {
+  ProgressPart first(progress, "laying", 0, 0.5), second(progress, "laying", 0.5, 1);
+  Layout best{rightwards(usable_area, radius, first, shifts), {}};
+  std::vector<Point> leftwards = rightwards(mirrored(usable_area), radius, second, shifts);
+  if (leftwards.size() <= best.wires.size()) return best;
+  std::transform(leftwards.begin(), leftwards.end(), leftwards.begin(), [](Point p) { return mirrored(p); });
+  best.wires = std::move(leftwards);
   return best;
 }
 

@@ -56,8 +56,9 @@ LayingRegions placed(LayingRegions regions, bool mirrored, double angle) {
 }  // namespace
 
 StatorPart drawn_stator(const PolygonSlot& slot, double base_radius) {
+  if (!slot.opening) refuse({"slot", "opening"}, "is needed: where wire and needle get in");
   StatorPart part;
-  part.drawn = upright(slot);
+  part.drawn = upright(slot).slot;
   const Slot section = make_slot(*part.drawn);
   const Point size = section.iron.box().high - section.iron.box().low;
   part.slot = {};

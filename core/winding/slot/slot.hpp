@@ -81,8 +81,21 @@ Slot make_slot(const RotorSlot&);
 /// Asks `progress`, if there is one: with thousands of corners this takes a tenth of a second.
 Slot make_slot(const PolygonSlot&, Progress* progress = nullptr);
 
-/// Returns the slot turned and shifted so that its opening lies across the y axis, level, and its lowest point at y =
-/// 0, as a stator's slot is described. Throws as make_slot does, and where it has no opening.
-PolygonSlot upright(const PolygonSlot&, Progress* progress = nullptr);
+/// Where a document draws a slot: the axes of slot coordinates in the document's.
+struct Placement {
+  Point origin{}, x{1, 0};
+  Point place(Point slot) const { return origin + slot.x * x + slot.y * left_of(x); }
+  Point foot(Point drawn) const { return {dot(drawn - origin, x), dot(drawn - origin, left_of(x))}; }
+};
+
+/// A drawn slot in slot coordinates: its opening lies across the y axis, level, and its lowest point at y = 0, as a
+/// stator's slot is described; one without opening is not turned, and the middle of its width lies on the y axis. A
+/// slot that is drawn so keeps its coordinates to the bit.
+struct UprightSlot {
+  PolygonSlot slot;
+  Placement drawn;
+};
+/// Throws as make_slot does.
+UprightSlot upright(const PolygonSlot&, Progress* progress = nullptr);
 
 }  // namespace bahnwerk::winding

@@ -106,19 +106,20 @@ Slot make_slot(const PolygonSlot& s, Progress* progress) {
   return slot;
 }
 
-PolygonSlot upright(const PolygonSlot& s, Progress* progress) {
-  if (!s.opening) SlotFaults().stop("opening", "is needed: where wire and needle get in");
-  const Opening opening = *make_slot(s, progress).opening;
-  const Point y = -opening.into, x = -left_of(y);
-  PolygonSlot turned = s;
-  const auto turn = [&](Point p) { return Point{dot(p - opening.middle, x), dot(p - opening.middle, y)}; };
-  double lowest = 0;
-  for (Point& p : turned.points) {
-    p = turn(p);
-    lowest = std::min(lowest, p.y);
+UprightSlot upright(const PolygonSlot& s, Progress* progress) {
+  const Slot slot = make_slot(s, progress);
+  UprightSlot turned{s, {}};
+  if (!slot.opening) {
+    const Box& box = slot.iron.box();
+    turned.drawn.origin = {0.5 * (box.low.x + box.high.x), box.low.y};
+  } else {
+    const Point up = -slot.opening->into, middle = slot.opening->middle;
+    double lowest = 0;
+    for (const Point p : s.points) lowest = std::min(lowest, dot(p - middle, up));
+    turned.drawn = {middle + lowest * up, -left_of(up)};
+    for (Point& p : *turned.slot.opening) p = {turned.drawn.foot(p).x, -lowest};
   }
-  for (Point& p : turned.points) p.y -= lowest;
-  for (Point& p : *turned.opening) p = {turn(p).x, -lowest};
+  for (Point& p : turned.slot.points) p = turned.drawn.foot(p);
   return turned;
 }
 

@@ -73,6 +73,25 @@ TEST(FillFactorInput, AllFaultsAreNamedAtOnce) {
   }
 }
 
+TEST(FillFactorInput, NamesWiresOfTheSeriesAskedFor) {
+  const auto message = [](const json& range) {
+    json spec = example("minimal");
+    spec["wires"] = "standard", spec["wire_range"] = range;
+    try {
+      request(spec);
+    } catch (const InvalidInput& error) {
+      EXPECT_EQ(error.faults.at(0).place, std::vector<std::string>{"wire_range"});
+      return error.faults.at(0).message;
+    }
+    return std::string();
+  };
+  EXPECT_THAT(message({{"least", 1.01}, {"most", 1.05}}), testing::HasSubstr("R20; the nearest are 1 and 1.12"));
+  EXPECT_THAT(message({{"least", 1.01}, {"most", 1.05}, {"series", "R40"}}), testing::HasSubstr("1 and 1.06"));
+  EXPECT_EQ(message({{"least", 1.01}, {"most", 1.12}}), "") << "the wire that was named is found";
+  EXPECT_EQ(message({{"least", 1}, {"most", 0.6}}), "is reversed: least is 1 mm, most 0.6 mm");
+  EXPECT_EQ(message({{"least", 2}}), "is reversed: least is 2 mm, most 1.6 mm (the default)");
+}
+
 TEST(FillFactorPlan, ResultHasTheContractsForm) {
   SilentProgress silent;
   json spec = example("wires");

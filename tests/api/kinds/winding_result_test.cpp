@@ -129,6 +129,54 @@ TEST(WindingPlan, RangesAreToldInDegrees) {
               ::testing::HasSubstr("from -90 to 90 deg, its range is -85 to 85 deg"));
 }
 
+/// The document's problem, and the pointer of its first error.
+std::pair<std::string, std::string> refused_at(const json& spec) {
+  try {
+    SilentProgress silent;
+    find_kind("winding")->plan(spec, silent);
+  } catch (...) {
+    const Problem problem = problem_from_current_exception("/spec");
+    return {std::string(problem.type().slug), problem.errors().empty() ? "" : problem.errors()[0].pointer};
+  }
+  return {};
+}
+
+TEST(WindingPlan, WhatTakesANeedleOutOfReachIsNamed) {
+  json spec = example("complete");
+  spec["coil"] = {{"slots", {0, 5}}, {"turns", 2}};
+  spec["machine"]["axes"]["q3"]["range"] = {-100, 300};
+  using Refusal = std::pair<std::string, std::string>;
+  spec["pull"]["bend_radius"] = 40;
+  EXPECT_EQ(refused_at(spec), (Refusal{"unreachable-pose", "/spec/pull/bend_radius"}));
+  spec["machine"]["axes"]["q3"]["range"] = {-100, 210};
+  EXPECT_EQ(refused_at(spec), (Refusal{"unreachable-pose", "/spec/machine"})) << "whatever the bend";
+}
+
+TEST(WindingPlan, NumbersOfAPoseOutOfReachAreRounded) {
+  json spec = example("minimal");
+  spec["machine"] = machine("robot");
+  spec["machine"]["l1"] = spec["machine"]["l2"] = 200;
+  const std::string detail = problem_of(spec, "unreachable-pose");
+  std::size_t digits = 0;
+  for (const char c : detail) {
+    digits = std::isdigit(static_cast<unsigned char>(c)) ? digits + 1 : 0;
+    EXPECT_LE(digits, 6u) << detail;
+  }
+}
+
+TEST(WindingPlan, ARightAngleIsNotNamedAsMore) {
+  json spec = example("complete");
+  spec["feed"] = {{"method", "natural"}};
+  for (const int turns : {2, 6}) {
+    spec["coil"] = {{"slots", {0, 5}}, {"turns", turns}};
+    const json details = json(planned(spec).result)["details"];
+    double most = 0;
+    for (const json& point : details["support_points"]) most = std::max(most, point["exit_angle"].get<double>());
+    const bool named = details["notes"].dump().find("more than 90 deg") != std::string::npos;
+    EXPECT_EQ(named, most > 90.05) << most;
+  }
+}
+
 TEST(WindingPlan, RotaryAxesAreInDegrees) {
   const PlannedJob job = planned(example("minimal"));
   const auto& columns = job.result["setpoints"]["columns"];

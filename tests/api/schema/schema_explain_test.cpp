@@ -43,6 +43,16 @@ TEST(SchemaExplain, SaysWhatIsWrongAndWhere) {
             "/a: must be exactly one of: p, or q");
 }
 
+TEST(SchemaExplain, ListsTheValuesOfTheMemberThatSelectsABranch) {
+  const std::string schema = R"({"oneOf":[
+    {"properties":{"type":{"const":"p"},"x":{"type":"number"}},"required":["type","x"]},
+    {"$ref":"#/$defs/q"}],"$defs":{"q":{"properties":{"type":{"const":"q"}},"required":["type"]}}})";
+  EXPECT_EQ(only_message(schema, R"({"type":"r"})"), R"(/type: must be one of "p", "q")");
+  EXPECT_EQ(only_message(schema, R"({"type":7,"x":1})"), R"(/type: must be one of "p", "q")");
+  EXPECT_EQ(only_message(schema, "{}"), R"(/type: is required: one of "p", "q")");
+  EXPECT_EQ(only_message(schema, R"({"type":"p"})"), "/x: is required");
+}
+
 TEST(SchemaExplain, FollowsReferences) {
   const std::string schema =
       R"({"items":{"$ref":"#/$defs/p"},"$defs":{"p":{"type":"array","items":{"$ref":"#/$defs/n"}},"n":{"type":"number"}}})";

@@ -68,6 +68,27 @@ TEST(PathDrawing, TheLastTurnIsBoldAndThoseBeforeFaint) {
   EXPECT_EQ(times(one, ">needle's tip<"), 1u);
 }
 
+TEST(PathDrawing, ShowsSlotsPostsWiresAndNeedle) {
+  const StatorPart part;
+  const Slot slot = checked_slot(part);
+  const Coil coil{0, 5};
+  const std::vector<BezierPiece> pieces = bent(2);
+  DrawnPath drawn{"all", pieces, part_outline(part, slot)};
+  drawn.coils = coil_outline(part, slot, coil);
+  drawn.posts = post_outline(part, {}, coil);
+  drawn.wires = {{{90, 0, 210}, {90, 0, 0}}};
+  drawn.slots = slot_labels(part, {coil});
+  drawn.needle_length = 60, drawn.needle_width = 2;
+  const std::string svg = path_drawing(drawn);
+  expect_sound(svg);
+  EXPECT_EQ(times(svg, "transform=\"scale("), 6u) << "part, coil, posts, wires, path, needle";
+  EXPECT_EQ(times(svg, "font-weight=\"bold\""), 2u) << "slots 0 and 5";
+  for (const char* words : {">slots of the coil<", ">winding tools<", ">laid wires<", ">needle at the end<"})
+    EXPECT_EQ(times(svg, words), 1u) << words;
+  EXPECT_GE(times(svg, "font-size=\"11\""), 20u) << "numbers of other slots";
+  EXPECT_EQ(times(path_drawing({"bare", pieces, {}}), "needle at the end"), 0u);
+}
+
 TEST(PathDrawing, IsADrawingForNothingAndForAPoint) {
   expect_sound(path_drawing({"none", {}, {}}));
   const std::vector<BezierPiece> still{BezierPiece::line({1, 2, 3, 0, 0}, {1, 2, 3, 1, 0})};

@@ -10,6 +10,7 @@
 #include "core/winding/layout/sites.hpp"
 #include "core/winding/wire.hpp"
 #include "tests/core/geometry/region/rooms.hpp"
+#include "tests/core/winding/layout/drawn_to.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -161,15 +162,6 @@ TEST(Needle, GroovesWiderApartThanAWireAreFilledFirst) {
   }
 }
 
-TEST(Needle, OneSlotWithoutHeads) {
-  const Layout layout = needle(test::rectangle(6, 2), 1, {-9, 1}, silent);
-  ASSERT_EQ(layout.wires.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(distance(layout.wires[i], {1 + 2.0 * static_cast<double>(i), 1}), 0, 1e-9);
-    EXPECT_EQ(layout.tension_points[i], (Point{-9, 1}));
-  }
-}
-
 TEST(Needle, SameInputGivesTheSameBits) {
   const Slot slot = make_slot(StatorSlot{});
   const NeedleLayout a = needle(slot, 0.442, StatorHeads{}, silent), b = needle(slot, 0.442, StatorHeads{}, silent);
@@ -187,15 +179,15 @@ TEST(Needle, RowsThatFitExactlyAreFilledFromBothSides) {
     const std::size_t k = 3 + 2 * random.below(4);
     const Region row = test::rectangle(2 * r * static_cast<double>(k), 2 * r);
     const double middle = r * static_cast<double>(k);
-    EXPECT_EQ(needle(row, r, {middle, -1}, silent).wires.size(), k);
-    EXPECT_EQ(needle(row, r, {-1, -1}, silent).wires.size(), k);
+    EXPECT_EQ(test::drawn_to(row, r, {middle, -1}).size(), k);
+    EXPECT_EQ(test::drawn_to(row, r, {-1, -1}).size(), k);
   }
 }
 
 TEST(Needle, NothingFits) {
   const Slot slot = make_slot(StatorSlot{});
   for (const Layout& layout : needle(slot, 3, StatorHeads{}, silent)) EXPECT_TRUE(layout.wires.empty());
-  EXPECT_TRUE(needle(test::rectangle(9, 1), 0.6, {0, 0}, silent).wires.empty());
+  EXPECT_TRUE(test::drawn_to(test::rectangle(9, 1), 0.6, {0, 0}).empty());
 }
 
 TEST(Needle, StopsWhenToldTo) {

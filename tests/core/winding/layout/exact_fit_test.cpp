@@ -6,12 +6,12 @@
 
 #include "core/numeric/random.hpp"
 #include "core/winding/centre_borders.hpp"
-#include "core/winding/laying/needle.hpp"
 #include "core/winding/layout/count_bound.hpp"
 #include "core/winding/layout/orthocyclic.hpp"
 #include "core/winding/layout/potential.hpp"
 #include "core/winding/layout/raabe.hpp"
 #include "core/winding/margin.hpp"
+#include "tests/core/winding/layout/drawn_to.hpp"
 #include "tests/core/winding/packing_rooms.hpp"
 
 namespace bahnwerk::winding {
@@ -44,7 +44,7 @@ void expect_count(const Region& usable_area, double angle, std::size_t count, co
   const Point tension_point = usable_area.edges()[0].from - 5.0 * usable_area.edges()[0].direction(0);
   EXPECT_EQ(orthocyclic(usable_area, 0.5, tension_point, angle, silent).wires.size(), count) << what;
   EXPECT_EQ(raabe(usable_area, 0.5, silent).wires.size(), count) << what;
-  EXPECT_EQ(needle(usable_area, 0.5, tension_point, silent).wires.size(), count) << what;
+  EXPECT_EQ(test::drawn_to(usable_area, 0.5, tension_point).size(), count) << what;
   const auto most = potential(usable_area, 0.5, {}, {}, silent);
   EXPECT_EQ(most.size(), count) << what;
   expect_allowed(usable_area, 0.5, 0, most);
@@ -131,12 +131,12 @@ TEST(ExactFit, AMillionthTooLargeDoesNotFit) {
         const Region usable_area = polygon(turned(around(sides), angle, place));
         EXPECT_EQ(max_wires(usable_area, radius, 2 * radius), 0u) << sides;
         EXPECT_TRUE(raabe(usable_area, radius, silent).wires.empty());
-        EXPECT_TRUE(needle(usable_area, radius, {0, 0}, silent).wires.empty());
+        EXPECT_TRUE(test::drawn_to(usable_area, radius, {0, 0}).empty());
         EXPECT_TRUE(orthocyclic(usable_area, radius, {0, 0}, angle, silent).wires.empty());
         EXPECT_TRUE(potential(usable_area, radius, {}, {}, silent).empty());
       }
       const Region row = polygon(turned(box(7, 1 + 1e-5), angle, place));
-      EXPECT_EQ(needle(row, radius, row.edges()[0].from, silent).wires.size(), 6u);
+      EXPECT_EQ(test::drawn_to(row, radius, row.edges()[0].from).size(), 6u);
     }
 }
 

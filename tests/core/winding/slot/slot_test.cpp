@@ -80,7 +80,7 @@ TEST(PolygonSlotTest, TheMouthMayBeTheBoresArc) {
 
 TEST(PolygonSlotTest, UprightStandsOnItsBase) {
   const PolygonSlot lying{{{20, 2}, {20, 8}, {5, 9}, {5, 1}}, 0.1, 0, std::array{Point{20, 3}, Point{20, 7}}};
-  const PolygonSlot standing = upright(lying);
+  const PolygonSlot standing = upright(lying).slot;
   const Slot slot = make_slot(standing);
   EXPECT_NEAR(slot.opening->middle.x, 0, 1e-12);
   EXPECT_NEAR(slot.opening->middle.y, 15, 1e-12);
@@ -88,9 +88,18 @@ TEST(PolygonSlotTest, UprightStandsOnItsBase) {
   EXPECT_NEAR(slot.iron.box().low.y, 0, 1e-12);
   EXPECT_NEAR(slot.iron.area(), make_slot(lying).iron.area(), 1e-9);
   EXPECT_NEAR(slot.usable_area.area(), make_slot(lying).usable_area.area(), 1e-9);
+  const UprightSlot turned = upright(lying);
+  for (std::size_t i = 0; i < lying.points.size(); ++i) {
+    EXPECT_NEAR(distance(turned.drawn.place(turned.slot.points[i]), lying.points[i]), 0, 1e-12);
+    EXPECT_NEAR(distance(turned.drawn.foot(lying.points[i]), turned.slot.points[i]), 0, 1e-12);
+  }
+  EXPECT_EQ(upright(standing).slot.points, standing.points) << "a slot that stands upright is not moved";
   PolygonSlot closed = lying;
   closed.opening.reset();
-  EXPECT_THROW(upright(closed), InvalidInput);
+  const Box box = make_slot(upright(closed).slot).iron.box();
+  EXPECT_NEAR(box.low.x, -7.5, 1e-12) << "a slot without opening is not turned";
+  EXPECT_NEAR(box.high.x, 7.5, 1e-12);
+  EXPECT_NEAR(box.low.y, 0, 1e-12);
 }
 
 TEST(StatorSlotTest, AWedgeHasAWidthThatTheSlotLeaves) {

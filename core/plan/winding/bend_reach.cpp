@@ -1,0 +1,55 @@
+#include "core/plan/winding/bend_reach.hpp"
+
+#include <memory>
+#include <variant>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress_part.hpp"
+#include "core/winding/path/post_passage.hpp"
+
+namespace bahnwerk {
+namespace {
+
+std::vector<winding::FixedPiece> support(const WindingRequest& request, const std::vector<winding::Turn>& turns,
+                                         const winding::NeedleModel& model, Progress& progress) {
+  if (const auto* stator = std::get_if<winding::StatorPart>(&request.part))
+    return winding::support_points(*stator, request.coils, turns, model, progress);
+  return winding::support_points(std::get<winding::RotorPart>(request.part), turns, model, progress);
+}
+
+}  // namespace
+
+winding::NeedlePath linked_path(const WindingRequest& request, const std::vector<winding::FixedPiece>& support,
+                                LinkObjective objective, Progress& progress) {
+  winding::LinkOptions options = request.links;
+  options.objective = objective;
+  const auto* stator = std::get_if<winding::StatorPart>(&request.part);
+  if (stator == nullptr) return winding::needle_path(support, false, options, progress);
+  const winding::PostPassage posts(*stator, request.coils, request.tool, request.needle, request.least_clearance);
+  return winding::needle_path(support, true, options, progress, &posts);
+}
+
+bool reaches_with_least_bend(const WindingRequest& request, const std::vector<winding::Turn>& turns,
+                             const winding::FixedPiece& piece, Progress& progress) {
+  std::vector<winding::Turn> near;
+  for (const winding::Turn& turn : turns)
+    if (turn.coil == piece.coil && turn.number + 1 >= piece.turn && turn.number <= piece.turn + 1) near.push_back(turn);
+  winding::NeedleModel model = request.model;
+  model.shape = request.needle, model.clearance = request.least_clearance;
+  model.pull.bend_radius = request.wire.outer, model.pull.bending_moment = 0;
+  // The stages were reported before.
+  ProgressPart again(progress, "machine", 1, 1);
+  try {
+    const std::vector<winding::FixedPiece> fixed = support(request, near, model, again);
+    const winding::NeedlePath path = linked_path(request, fixed, request.links.objective, again);
+    const auto tool = std::make_shared<const PosePath>(pose_path(path.curves()));
+    machine_path({tool, &tool->tool}, tool->orientation, request.configurations);
+    return true;
+  } catch (const UnreachablePose&) {
+    return false;
+  } catch (const Infeasible&) {
+    return false;
+  }
+}
+
+}  // namespace bahnwerk
