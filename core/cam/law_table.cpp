@@ -1,6 +1,7 @@
 #include "core/cam/law_table.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace bahnwerk::cam {
@@ -28,15 +29,19 @@ Independent LawTable::independent() const {
 }
 
 void LawTable::read(std::size_t first, std::size_t rows, double* out) const {
-  const double n = static_cast<double>(steps_), step = cycle_duration_ / n;
+  const double n = static_cast<double>(steps_);
   std::size_t hint = 0;
   for (std::size_t k = first; k < first + rows; ++k, out += 5) {
     const double share = static_cast<double>(k) / n;
     out[0] = k == steps_ ? begin_ + length_ : begin_ + length_ * share;
     double t = begin_ * (cycle_duration_ / length_) + cycle_duration_ * share;
-    if (law_.periodic()) t = law_.begin() + std::fmod(t - law_.begin() + cycle_duration_, cycle_duration_);
-    // A break within rounding counts as reached.
-    law_.evaluate(t + 1e-9 * step, 0, hint);
+    // A break within rounding counts as reached, that at the end of a cycle, too.
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * (std::abs(t) + cycle_duration_);
+    if (law_.periodic()) {
+      t = law_.begin() + std::fmod(t - law_.begin() + cycle_duration_, cycle_duration_);
+      if (t + rounding >= law_.breaks().back()) t = law_.begin();
+    }
+    law_.evaluate(t + rounding, 0, hint);
     const bool end = k == steps_ && !law_.periodic();
     const double x = end ? 1 : (t - law_.breaks()[hint]) / law_.piece_duration(hint);
     for (int r = 0; r < 4; ++r) out[1 + r] = law_.in_piece(end ? law_.pieces() - 1 : hint, x < 1e-13 ? 0 : x, r);

@@ -15,7 +15,7 @@ namespace bahnwerk::cam {
 double table_begin(const MotionLawProblem& problem);
 
 /// Row k: the angle table_begin + k · length/steps; position, velocity, acceleration and jerk just behind it; an open
-/// law's last row is its end. A row that lies on a break to 1e-9 of a step is behind it. O(degree) per row.
+/// law's last row is its end. A row that lies on a break but for rounding is behind it. O(degree) per row.
 class LawTable final : public SetpointSource {
  public:
   LawTable(CamLaw law, const MotionLawProblem& problem, double cycle_duration, std::size_t steps);

@@ -32,6 +32,12 @@ struct LawBound {
   std::string basis;
 };
 
+/// Lower bound of the cycle's duration within a drive's limits, over all laws.
+struct CycleBound {
+  double duration = 0;  ///< s
+  std::string basis;
+};
+
 struct LawSolution {
   CamLaw law;
   std::vector<double> at;  ///< chosen angles, one per point, master's unit
@@ -47,7 +53,8 @@ struct LawSolution {
   /// `optimal`: J of the dual at the same degree, pieces and angles, ≤ value.objective.
   std::optional<double> lower;
   std::optional<LawBound> bound;
-  std::vector<std::string> notes;  ///< sentences for the user
+  std::optional<CycleBound> cycle_bound;  ///< `optimal` with a drive
+  std::vector<std::string> notes;         ///< sentences for the user
 };
 
 }  // namespace bahnwerk::cam

@@ -14,10 +14,12 @@ inline double nice(double least) {
   return 10 * power;
 }
 
-/// Calls at(value) for every multiple of `by` within [low, high].
+/// Calls at(value) for every multiple of `by` within [low, high], for a thousand of them at most: beyond 2⁵³ steps from
+/// 0 a multiple and the next one are the same number.
 template <class At>
 void for_each_tick(double low, double high, double by, At&& at) {
-  for (double k = std::ceil(low / by - 1e-9); k <= high / by + 1e-9; ++k) at(k * by);
+  const double first = std::ceil(low / by - 1e-9);
+  for (int i = 0; i < 1000 && first + i <= high / by + 1e-9; ++i) at((first + i) * by);
 }
 
 /// Returns the text beside a tick.

@@ -36,7 +36,7 @@ void fixed_angles(benchmark::State& state) {
   const LawTask task = make_law_task(cam(static_cast<std::size_t>(state.range(0)), false));
   int rounds = 0, iterations = 0;
   for (auto _ : state) {
-    const SectionBasis basis(static_cast<int>(state.range(1)), 1);
+    const LawBasis basis(task, static_cast<int>(state.range(1)), 1);
     const SplineResult result = SplineProgram(task, basis, task.middle()).solve({}, progress);
     benchmark::DoNotOptimize(result.objective);
     rounds = result.rounds, iterations = result.iterations;
@@ -55,7 +55,7 @@ BENCHMARK(fixed_angles)
 void all_laws(benchmark::State& state) {
   SilentProgress progress;
   const LawTask task = make_law_task(cam(static_cast<std::size_t>(state.range(0)), false));
-  const SectionBasis basis(7, 1);
+  const LawBasis basis(task, 7, 1);
   const KnownLaw law(task, basis, SplineProgram(task, basis, task.middle()).solve({}, progress));
   for (auto _ : state) benchmark::DoNotOptimize(relaxation_bound(task, task.at, law, {}, progress));
 }
@@ -64,7 +64,7 @@ BENCHMARK(all_laws)->Arg(5)->Arg(50)->Unit(benchmark::kMillisecond);
 void free_angles(benchmark::State& state) {
   SilentProgress progress;
   const LawTask task = make_law_task(cam(static_cast<std::size_t>(state.range(0)) + 1, true));
-  const SectionBasis basis(7, 1);
+  const LawBasis basis(task, 7, 1);
   for (auto _ : state) benchmark::DoNotOptimize(optimise_angles(task, basis, 1, progress).spline.objective);
 }
 BENCHMARK(free_angles)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond);

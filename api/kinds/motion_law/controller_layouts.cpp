@@ -157,16 +157,18 @@ std::string lcamhdl_basic(const ControllerTable& table) {
   return rows.take();
 }
 
+/// Polynomials of degree 5 alone: one of degree 7 takes two of the cam's 50 segments, and the controller makes it of
+/// two polynomials of degree 6.
 std::string lcamhdl_advanced(const ControllerTable& table) {
   Rows rows(',', "\n");
   rows.row({"leadingValueStart", "leadingValueEnd", "followingValueStart", "followingValueEnd", "geoVeloStart",
             "geoVeloEnd", "geoAccelStart", "geoAccelEnd", "geoJerkStart", "geoJerkEnd", "inflectionPointParameter",
             "modVeloTrapezoidParameter", "modSineMaxAccelCaStar", "camProfileType"});
   for (std::size_t k = 0; k + 1 < table.points.size(); ++k) {
-    const TablePoint &a = table.points[k], &b = table.points[k + 1];
+    const TablePoint &a = table.points[k], &b = table.ends[k];
     rows.row({text_of(a.master), text_of(b.master), text_of(a.position), text_of(b.position), text_of(a.velocity),
               text_of(b.velocity), text_of(a.acceleration), text_of(b.acceleration), text_of(a.jerk), text_of(b.jerk),
-              "0.5", "0", "0", a.next == Between::septic ? "6" : "5"});
+              "0.5", "0", "0", "5"});
   }
   return rows.take();
 }
@@ -201,7 +203,7 @@ ControllerTable table_for(const StoredLaw& stored, ControllerLayout layout) {
     case ControllerLayout::twincat_mc3:
       return cam::breaks_table(stored.law, stored.cycle, 10000);
     case ControllerLayout::lcamhdl_advanced:
-      return stored.law.pieces() <= 50 ? cam::breaks_table(stored.law, stored.cycle, 51)
+      return stored.law.pieces() <= 50 ? cam::breaks_table(stored.law, stored.cycle, 51, false, true)
                                        : cam::even_table(stored.law, stored.cycle, 50, Between::quintic);
     case ControllerLayout::codesys_xyva:
       return cam::breaks_table(stored.law, stored.cycle, 1024, false);

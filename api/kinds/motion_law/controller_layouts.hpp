@@ -4,8 +4,8 @@
 /// Derivatives are by the master (unit per master's unit …), as controllers scale them with the master's own velocity.
 /// twincat_nc, twincat_mc3: points at the law's breaks, polynomials of degree 5 or 7 between them; semicolons, CR LF.
 /// isg: 1000 steps in a text file. lcamhdl_xy: 1000 points; lcamhdl_basic: 51 points, degree 5 between;
-/// lcamhdl_advanced: up to 50 elements of degree 5 or 7. codesys_xyva: structured text, degree 5 between; codesys_xy:
-/// 1000 steps, straight.
+/// lcamhdl_advanced: up to 50 elements of degree 5, each with the states at both of its ends. codesys_xyva: structured
+/// text, degree 5 between; codesys_xy: 1000 steps, straight.
 #include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -174,6 +174,11 @@ KindReport report_law(const MotionLawRequest& request, const LawPlan& plan) {
   out.bound = {{"objective", plan.lower},
                {"gap", number_or_null(plan.lower > 0, solution.value.objective / plan.lower - 1)},
                {"basis", plan.basis}};
+  if (solution.cycle_bound) {
+    out.bound["cycle_duration"] = solution.cycle_bound->duration;
+    out.bound["cycle_gap"] = solution.cycle_duration / solution.cycle_bound->duration - 1;
+    out.bound["cycle_basis"] = solution.cycle_bound->basis;
+  }
   return out;
 }
 

@@ -17,10 +17,11 @@ namespace bahnwerk::cam {
 namespace {
 
 constexpr double wanted_gap = 0.01;
-constexpr int most_pieces = 16;
-constexpr int hopeless_degrees =
-    3;  // the search over free angles ends after so many degrees in a row that gain nothing
-constexpr std::size_t most_boxes = 60;  // programs of branch and bound
+constexpr int piece_counts[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48};
+constexpr int most_pieces[] = {16, 24, 48};    // counts that show what a degree can do: divided by all small ones
+constexpr std::size_t most_all_pieces = 2000;  // pieces of a whole law beyond which 16 per section are enough
+constexpr double little_gain = 1e-3;           // a degree that gains less is followed by one more, not by others
+constexpr std::size_t most_boxes = 60;         // programs of branch and bound
 
 class Search {
  public:
@@ -28,7 +29,7 @@ class Search {
 
   SplineResult at(int degree, int pieces, const std::vector<double>& times, double gap) {
     ++programs;
-    const SectionBasis basis(degree, pieces);
+    const LawBasis basis(task_, degree, pieces);
     SplineOptions options;
     options.gap = gap;
     return SplineProgram(task_, basis, times).solve(options, progress_);
@@ -73,11 +74,13 @@ const char* assumption(const LawTask& task, double objective) {
 
 }  // namespace
 
-void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress) {
+void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress, bool finely) {
   const std::string program =
       "over node values of position, velocity and acceleration with moments of the jerk in each cell of a grid";
   if (!task.free_angles()) {
-    choice.bound = relaxation_bound(task, task.at, law, {}, progress);
+    RelaxationOptions options;
+    if (finely) options.cells = std::max<std::size_t>(600, 16 * task.sections());
+    choice.bound = std::max(choice.bound, relaxation_bound(task, task.at, law, options, progress));
     ++choice.programs;
     choice.basis = "linear program " + program + ": every law with bounded jerk keeps it" + common_sections(task) +
                    assumption(task, law.objective());
@@ -85,7 +88,7 @@ void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, P
   }
   const AllLawsBound bound = bound_over_angles(task, law, most_boxes, 1e-3, progress);
   choice.programs += static_cast<int>(bound.programs);
-  choice.bound = bound.objective;
+  choice.bound = std::max(choice.bound, bound.objective);
   choice.basis = "linear programs " + program + ", over boxes of angles (branch and bound, " +
                  std::to_string(bound.programs) + " programs" +
                  (bound.complete ? ")" : ", ended before the last box was settled)") + common_sections(task) +
@@ -98,51 +101,54 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   const double fine = SplineOptions{}.gap;
   const auto solve = [&](int degree, int pieces, double gap) {
     if (!task.free_angles()) return search.at(degree, pieces, task.middle(), gap);
-    const SectionBasis basis(degree, pieces);
+    const LawBasis basis(task, degree, pieces);
     FreeAngles free = optimise_angles(task, basis, problem.seed, progress);
     search.programs += free.programs;
     return std::move(free.spline);
   };
-  const auto bound_of = [&](const SplineResult& spline, int degree, int pieces) {
-    const SectionBasis basis(degree, pieces);
-    bound_law(task, KnownLaw(task, basis, spline), choice, progress);
+  const auto bound_of = [&](const SplineResult& spline, int degree, int pieces, bool finely) {
+    const LawBasis basis(task, degree, pieces);
+    bound_law(task, KnownLaw(task, basis, spline), choice, progress, finely);
   };
   if (problem.degree) {
     choice.degree = *problem.degree;
     choice.pieces = problem.pieces;
     choice.spline = solve(choice.degree, choice.pieces, fine);
     if (!usable(choice.spline)) {
-      const SectionBasis basis(choice.degree, choice.pieces);
+      const LawBasis basis(task, choice.degree, choice.pieces);
       const std::vector<double> times = choice.spline.breaks.empty() ? task.middle() : times_of(task, choice.spline);
       explain_infeasible(task, basis, times, progress);
       throw InvalidInput(
           std::vector{InputFault{{"degree"}, "no law of this degree keeps all values, ranges and limits"}});
     }
-    bound_of(choice.spline, choice.degree, choice.pieces);
+    bound_of(choice.spline, choice.degree, choice.pieces, true);
     choice.programs += search.programs;
     return choice;
   }
   // A first law, for the bound and the angles.
   const int least = least_degree(task);
+  const auto fits = [&](int degree) { return degree == least || is_expressible(task, degree); };
   SplineResult first;
   int first_degree = std::max(least, 7), first_pieces = 1;
-  for (; first_degree <= max_degree; first_degree += 2, first_pieces = std::min(most_pieces, 2 * first_pieces)) {
+  for (; first_degree <= max_degree; first_degree += 2, first_pieces = std::min(16, 2 * first_pieces)) {
+    while (first_degree > least && !fits(first_degree)) --first_degree;
     // Angles elsewhere than in the middle are tried with few pieces alone: where none has a law, degrees seldom help.
     if (first_pieces > 2 && task.free_angles() && !usable(search.at(first_degree, first_pieces, task.middle(), 1e-4)))
       continue;
     first = solve(first_degree, first_pieces, 1e-6);
-    if (usable(first)) break;
+    if (usable(first) || (!fits(first_degree + 2) && first_pieces == 16)) break;
   }
   if (!usable(first)) {
-    const SectionBasis basis(max_degree, 1);
-    explain_infeasible(task, basis, first.breaks.empty() ? task.middle() : times_of(task, first), progress);
+    first_degree = std::min(first_degree, max_degree);
+    const LawBasis basis(task, first_degree, 16);
+    explain_infeasible(task, basis, first.breaks.empty() ? task.middle() : times_of(task, first), progress, true);
     throw Infeasible("no law up to degree 21 keeps all values, ranges and limits");
   }
-  bound_of(first, first_degree, first_pieces);
+  bound_of(first, first_degree, first_pieces, false);
   const std::vector<double> times = times_of(task, first);
   double target = choice.bound;
   if (task.free_angles()) {  // the bound over all angles leaves a gap that no degree can close
-    const SectionBasis basis(first_degree, first_pieces);
+    const LawBasis basis(task, first_degree, first_pieces);
     const KnownLaw law(task, basis, first);
     target = std::max(target, relaxation_bound(task, law.points(), law, {}, progress));
   }
@@ -150,43 +156,56 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
     return usable(spline) && spline.objective <= (1 + wanted_gap) * target;
   };
   struct Tried {
-    int degree;
+    int degree, pieces;
     SplineResult spline;
   };
-  std::vector<Tried> tried;  // results with the most pieces
+  std::vector<Tried> tried;
   double least_objective = std::numeric_limits<double>::infinity();
-  bool found = false;
+  bool found = false, finely = false;
   int without_gain = 0;
-  for (int degree = least; degree <= max_degree && !found && !(task.free_angles() && without_gain == hopeless_degrees);
-       ++degree) {
-    // More pieces are never worse if they divide each other: the largest number comes first.
-    SplineResult most = search.at(degree, most_pieces, times, 1e-5);
-    found = good(most);
-    const bool gains = usable(most) && most.objective < least_objective * (1 - 1e-4);
-    if (gains) least_objective = most.objective;
-    if (usable(most)) tried.push_back({degree, std::move(most)});
-    without_gain = gains || tried.empty() ? 0 : without_gain + 1;
+  for (int degree = least; degree <= max_degree && fits(degree) && !found && without_gain < 2; ++degree) {
+    const double before = least_objective;
+    for (const int pieces : most_pieces) {
+      if (pieces > 16 && static_cast<std::size_t>(pieces) * task.sections() > most_all_pieces) break;
+      SplineResult most = search.at(degree, pieces, times, 1e-5);
+      if (!usable(most)) continue;
+      found = good(most);
+      least_objective = std::min(least_objective, most.objective);
+      tried.push_back({degree, pieces, std::move(most)});
+      if (found) break;
+    }
+    // A sharper bound costs less than a degree.
+    if (!found && degree == least && !task.free_angles() && !tried.empty()) {
+      bound_of(tried.back().spline, degree, tried.back().pieces, finely = true);
+      target = choice.bound;
+      found = std::any_of(tried.begin(), tried.end(), [&](const Tried& each) { return good(each.spline); });
+    }
+    without_gain = least_objective < before * (1 - little_gain) || tried.empty() ? 0 : without_gain + 1;
   }
   choice.degree = first_degree;
   choice.pieces = first_pieces;
   choice.spline = std::move(first);
   if (!tried.empty()) {
-    // If the bound is out of reach, the least J counts with free angles, whose refinement is dear; else the smallest
-    // degree within 1 %.
-    if (!found) target = least_objective * (task.free_angles() ? 1 : (1 + 1e-4) / (1 + wanted_gap));
+    // If the first bound is out of reach, the smallest degree and the fewest pieces that gain what there is to gain.
+    if (!found || finely)
+      target = least_objective * (1 + (task.free_angles() ? wanted_gap : little_gain)) / (1 + wanted_gap);
     Tried& smallest = *std::find_if(tried.begin(), tried.end(), [&](const Tried& each) { return good(each.spline); });
     choice.degree = smallest.degree;
+    choice.pieces = smallest.pieces;
     choice.spline = std::move(smallest.spline);
-    for (choice.pieces = 1; choice.pieces < most_pieces; ++choice.pieces)
-      if (SplineResult fewer = search.at(choice.degree, choice.pieces, times, 1e-5); good(fewer)) {
+    for (const int pieces : piece_counts) {
+      if (pieces >= choice.pieces) break;
+      if (SplineResult fewer = search.at(choice.degree, pieces, times, 1e-5); good(fewer)) {
         choice.spline = std::move(fewer);
+        choice.pieces = pieces;
         break;
       }
+    }
   }
   // The law is refined to the gap of laws with a given degree; a result that rounding makes worse is not taken.
   SplineResult settled;
   if (task.free_angles()) {
-    FreeAngles free = refine_angles(task, SectionBasis(choice.degree, choice.pieces), times, progress);
+    FreeAngles free = refine_angles(task, LawBasis(task, choice.degree, choice.pieces), times, progress);
     search.programs += free.programs;
     settled = std::move(free.spline);
   } else {
@@ -194,12 +213,12 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   }
   if (usable(settled) && settled.objective <= choice.spline.objective * (1 + 1e-6)) choice.spline = std::move(settled);
   if (!found)
-    choice.notes.push_back(
-        task.free_angles()
-            ? "No degree up to 21 with up to 16 pieces comes within 1 % of the bound at these angles; this is the "
-              "smallest within 1 % of the least J among them."
-            : "No degree up to 21 with up to 16 pieces comes within 1 % of the bound; this is the least J among them.");
-  bound_of(choice.spline, choice.degree, choice.pieces);
+    choice.notes.push_back(std::string("No law that was tried, of degree ") +
+                           std::to_string(tried.empty() ? first_degree : tried.front().degree) + " to " +
+                           std::to_string(tried.empty() ? first_degree : tried.back().degree) +
+                           ", comes within 1 % of the bound" + (task.free_angles() ? " at these angles" : "") +
+                           "; this is the least J among them, and more pieces or a higher degree gain little.");
+  bound_of(choice.spline, choice.degree, choice.pieces, finely);
   choice.programs += search.programs;
   return choice;
 }

@@ -22,8 +22,9 @@ struct DegreeChoice {
 DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task, Progress& progress);
 
 class KnownLaw;
-/// Sets the bound over all laws and what it is made of; counts its programs.
-void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress);
+/// Raises the bound over all laws, where it can, and sets what it is made of; counts its programs. `finely`: with three
+/// times the cells, for fixed angles.
+void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress, bool finely = false);
 
 /// Returns the smallest degree that method `optimal` takes: one more than any continuity, 3 at least, 21 at most.
 int least_degree(const LawTask& task);

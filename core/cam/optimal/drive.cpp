@@ -2,18 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/cam/optimal/degree_choice.hpp"
 #include "core/cam/optimal/free_angles.hpp"
 #include "core/cam/optimal/law_faults.hpp"
+#include "core/cam/optimal/relaxation/law_bound.hpp"
+#include "core/cam/spline/spline_faults.hpp"
 
 namespace bahnwerk::cam {
 namespace {
 
-constexpr double wanted = 1e-7;  // share of the duration that may be left between long enough and too short
-constexpr int most_durations = 60;
+constexpr double wanted = 1e-7;  // share by which the cycle may be longer than its degree, pieces and angles allow
+constexpr double solved = 2e-9;  // share of a limit that peaks stay below it, for what programs and rounding leave
+constexpr int most_durations = 60, most_passes = 8, most_bounds = 7;
+constexpr std::size_t most_cycle_boxes = 40;  // programs of branch and bound per duration
+
+std::array<double, limited_orders> limits_of(const DriveLimits& drive) {
+  return {0, drive.velocity, drive.acceleration, drive.jerk};
+}
 
 /// Returns whether a stretched law is one, too: all derivatives that are asked for are 0 or ranges that contain it.
 bool stretches(const MotionLawProblem& problem) {
@@ -31,84 +42,208 @@ LawTask task_of(const MotionLawProblem& problem, double duration) {
   MotionLawProblem timed = problem;
   timed.cycle_duration = duration;
   LawTask task = make_law_task(timed);
-  const double limit[limited_orders] = {0, problem.drive->velocity, problem.drive->acceleration, problem.drive->jerk};
+  const auto limit = limits_of(*problem.drive);
   task.largest_peak = true;
   for (std::size_t r = 1; r < limited_orders; ++r)
     task.weight[r] = std::isfinite(limit[r]) ? 1 / (limit[r] * task.to_task(static_cast<int>(r))) : 0;
   return task;
 }
 
-}  // namespace
+bool keeps_limits(const SplineResult& spline) { return spline.feasible && spline.violation <= 1e-8; }
 
-ShortestCycle find_shortest_cycle(const MotionLawProblem& problem, Progress& progress) {
-  ShortestCycle result;
-  result.monotone = stretches(problem);
-  const double none = std::numeric_limits<double>::infinity();
-  if (!problem.drive ||
-      (problem.drive->velocity == none && problem.drive->acceleration == none && problem.drive->jerk == none))
-    throw InvalidInput(
-        {InputFault{{"drive"}, "a cycle without duration needs a limit of velocity, acceleration or jerk"}});
-  LawTask task = task_of(problem, 1);
-  result.degree = problem.degree ? *problem.degree : std::max(least_degree(task), 5);
-  result.pieces = problem.degree ? problem.pieces : 8;
-  const SectionBasis basis(result.degree, result.pieces);
-  std::vector<double> times = task.middle();
-  const auto solve = [&](double duration) {
-    ++result.programs;
-    task = task_of(problem, duration);
-    return SplineProgram(task, basis, times).solve({}, progress);
-  };
-  const auto usable = [](const SplineResult& spline) { return spline.feasible && spline.violation <= 1e-8; };
-  // A first duration from the peaks of some law.
-  double duration = 1;
-  SplineResult spline = solve(duration);
-  if (task.free_angles() && usable(spline)) {
-    const FreeAngles free = optimise_angles(task, basis, problem.seed, progress);
-    result.programs += free.programs;
-    if (!free.spline.breaks.empty())
-      times.assign(free.spline.breaks.begin(), free.spline.breaks.begin() + static_cast<std::ptrdiff_t>(times.size()));
-    spline = solve(duration);
+class CycleSearch {
+ public:
+  CycleSearch(const MotionLawProblem& problem, ShortestCycle& result, Progress& progress)
+      : problem_(problem), result_(result), progress_(progress), monotone_(stretches(problem)) {}
+
+  void run() {
+    LawTask task = task_of(problem_, 1);
+    result_.degree = problem_.degree.value_or(least_degree(task));
+    // Switching times of a law of constant jerk lie between breaks: the more breaks, the less is lost.
+    result_.pieces = problem_.degree ? problem_.pieces : std::clamp(144 / static_cast<int>(task.sections()), 8, 48);
+    times_ = task.middle();
+    shorten(likely_duration(), task.free_angles() ? 1e-4 : wanted);
+    if (task.free_angles()) {
+      for (int pass = 0; pass < most_passes && choose_angles(pass < 2); ++pass) shorten(result_.duration, 1e-5);
+      shorten(result_.duration, wanted);
+    }
+    if (monotone_) bound();
   }
-  double low = 0, high = none, slope = 2;  // M falls like T^−slope
-  double last_duration = 0, last = 0;
-  for (int i = 0; i < most_durations; ++i) {
-    progress.report("shortest cycle", 0);
-    if (!usable(spline)) {
-      if (result.monotone && high == none && i == 0) {
-        explain_infeasible(task, basis, times, progress);
-        throw InvalidInput({InputFault{{"degree"}, "no law of this degree keeps all values, ranges and limits"}});
+
+ private:
+  /// Returns the time that a stroke between two points takes from rest to rest, the largest of them in parts of the
+  /// cycle; 1 s where nothing is said of strokes.
+  double likely_duration() const {
+    const auto limit = limits_of(*problem_.drive);
+    double out = 0;
+    for (std::size_t s = 0; s < problem_.sections(); ++s) {
+      const std::size_t e = problem_.end_point(s);
+      const Range from = problem_.points[s].value(0), to = problem_.points[e].value(0);
+      const double stroke = std::max({from.min - to.max, to.min - from.max, 0.0});
+      const double share =
+          (problem_.points[e].at.max - problem_.points[s].at.min + (e <= s ? problem_.length : 0)) / problem_.length;
+      out = std::max(
+          out,
+          std::max({stroke / limit[1], std::sqrt(4 * stroke / limit[2]), std::cbrt(32 * stroke / limit[3])}) / share);
+    }
+    return out > 0 ? out : 1;
+  }
+
+  SplineResult solve(double duration) {
+    ++result_.programs;
+    const LawTask task = task_of(problem_, duration);
+    return SplineProgram(task, LawBasis(task, result_.degree, result_.pieces), times_).solve({}, progress_);
+  }
+
+  /// Returns the share of a limit that the peaks of a law may take.
+  double target() const {
+    if (result_.duration == 0) return 1 - solved;
+    const LawTask task = task_of(problem_, result_.duration);
+    const LawBasis basis(task, result_.degree, result_.pieces);
+    const std::vector<double> breaks = task.breaks(times_);
+    double rounding = 0;
+    for (std::size_t s = 0; s < task.sections(); ++s) {
+      const double piece = (breaks[s + 1] - breaks[s]) / static_cast<double>(basis.section(s).pieces());
+      for (int r = 1; r < limited_orders; ++r)
+        rounding = std::max(
+            rounding, task.weight[static_cast<std::size_t>(r)] * published_rounding(task, result_.degree, piece, r));
+    }
+    return 1 - solved - std::min(rounding, 1e-3);
+  }
+
+  [[noreturn]] void refuse(double duration) {
+    const LawTask task = task_of(problem_, duration);
+    explain_infeasible(task, LawBasis(task, result_.degree, result_.pieces), times_, progress_);
+    throw InvalidInput({InputFault{{"drive"}, "no duration was found in which a law keeps these limits"}});
+  }
+
+  /// Finds the shortest cycle at the chosen angles, to a share `close`; begins with a duration.
+  void shorten(double duration, double close) {
+    double low = 0, high = std::numeric_limits<double>::infinity(), slope = 2;  // M falls like T^−slope
+    double last_duration = 0, last = 0;
+    for (int i = 0; i < most_durations; ++i) {
+      progress_.report("shortest cycle", 0);
+      SplineResult spline = solve(duration);
+      if (!keeps_limits(spline)) {
+        if (monotone_ && i == 0 && result_.duration == 0) refuse(duration);
+        low = std::max(low, duration);
+        duration = std::isfinite(high) ? std::sqrt(low * high) : 2 * duration;
+        continue;
       }
-      low = std::max(low, duration);
-      duration = high < none ? std::sqrt(low * high) : 2 * duration;
-    } else {
-      const double m = spline.objective;
-      if (m <= 1) {
-        high = duration;
-        result.spline = spline;
-        result.duration = duration;
+      const double m = spline.objective, most = target();
+      if (m <= most) {
+        if (duration < high) {
+          high = duration;
+          result_.spline = std::move(spline);
+          result_.duration = duration;
+        }
+        if (m >= most * (1 - close)) return;
       } else {
         low = std::max(low, duration);
-        if (spline.lower > 1) result.too_short = std::max(result.too_short, duration);
       }
-      if (high < none && low > 0 && high <= low * (1 + wanted)) break;
+      if (std::isfinite(high) && low > 0 && high <= low * (1 + close)) return;
       if (last > 0 && duration != last_duration) {
         const double now = -std::log(m / last) / std::log(duration / last_duration);
         if (std::isfinite(now)) slope = std::clamp(now, 0.9, 3.1);
       }
       last = m;
       last_duration = duration;
-      // A little to the side on which nothing is known yet.
-      const double aside = m <= 1 ? 1 - 0.4 * wanted : 1 + 0.4 * wanted;
-      duration *= std::pow(m, 1 / slope) * aside;
+      duration *= std::pow(m / (most * (1 - 0.3 * close)), 1 / slope);
       if (!(duration > low && duration < high))
-        duration = high < none ? (low > 0 ? std::sqrt(low * high) : high / 2) : 2 * low;
+        duration = std::isfinite(high) ? (low > 0 ? std::sqrt(low * high) : high / 2) : 2 * low;
     }
-    spline = solve(duration);
+    if (result_.duration == 0) refuse(duration);
   }
-  if (result.duration == 0) {
-    explain_infeasible(task, basis, times, progress);
-    throw InvalidInput({InputFault{{"drive"}, "no duration was found in which a law keeps these limits"}});
+
+  /// Takes the angles with the least peaks in the cycle as it is. Returns whether they leave something to gain.
+  bool choose_angles(bool widely) {
+    const LawTask task = task_of(problem_, result_.duration);
+    const LawBasis basis(task, result_.degree, result_.pieces);
+    FreeAngles free =
+        widely ? optimise_angles(task, basis, problem_.seed, progress_) : refine_angles(task, basis, times_, progress_);
+    result_.programs += free.programs;
+    if (!keeps_limits(free.spline) || free.spline.objective > target() * (1 - 1e-5)) return false;
+    times_.assign(free.spline.breaks.begin(), free.spline.breaks.begin() + static_cast<std::ptrdiff_t>(times_.size()));
+    return true;
   }
+
+  /// Finds the longest cycle, to 1e-4, of which the relaxation says that it is too short.
+  void bound() {
+    double proven = 0, open = result_.duration, duration = result_.duration, slope = 2;
+    double last = 0, last_duration = 0;
+    for (int i = 0; i < most_bounds && open > proven * (1 + 1e-4); ++i) {
+      const LawTask task = task_of(problem_, duration);
+      SplineResult stretched = result_.spline;  // the same numbers in the units of this task
+      stretched.objective = 0;
+      for (std::size_t r = 1; r < limited_orders; ++r)
+        stretched.objective = std::max(stretched.objective, task.weight[r] * stretched.peaks[r]);
+      const KnownLaw law(task, LawBasis(task, result_.degree, result_.pieces), stretched);
+      const AllLawsBound least = bound_over_angles(task, law, most_cycle_boxes, 1e-4, progress_);
+      result_.programs += static_cast<int>(least.programs);
+      const double m = least.objective;
+      (m > 1 ? proven : open) = duration;
+      if (!(m > 0)) break;
+      if (last > 0 && duration != last_duration) {
+        const double now = -std::log(m / last) / std::log(duration / last_duration);
+        if (std::isfinite(now)) slope = std::clamp(now, 0.9, 3.1);
+      }
+      last = m;
+      last_duration = duration;
+      duration *= std::pow(m / (1 + 5e-5), 1 / slope);
+      if (!(duration > proven && duration < open)) duration = proven > 0 ? std::sqrt(proven * open) : 0.9 * open;
+    }
+    if (proven > 0)
+      result_.bound = CycleBound{proven,
+                                 "linear programs over the states of a grid, in which the peaks exceed the drive's "
+                                 "limits: every law with bounded jerk keeps them"};
+  }
+
+  const MotionLawProblem& problem_;
+  ShortestCycle& result_;
+  Progress& progress_;
+  bool monotone_;
+  std::vector<double> times_;
+};
+
+std::string short_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+}  // namespace
+
+void check_drive(const MotionLawProblem& problem) {
+  const auto limit = limits_of(problem.drive.value_or(DriveLimits{}));
+  if (std::none_of(limit.begin() + 1, limit.end(), [](double each) { return std::isfinite(each); }))
+    throw InvalidInput(
+        {InputFault{{"drive"}, "a cycle without duration needs a limit of velocity, acceleration or jerk"}});
+  static constexpr const char* units[] = {"", "/s", "/s²", "/s³"};
+  std::vector<InputFault> faults;
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    for (int r = 1; r < limited_orders; ++r) {
+      const auto o = static_cast<std::size_t>(r);
+      const std::string unit = " " + problem.slave_unit + units[r], point = std::to_string(i);
+      const auto look = [&](const Range& range, std::vector<std::string> place) {
+        const double least = std::max({range.min, -range.max, 0.0});
+        if (least > limit[o])
+          faults.push_back({std::move(place), "asks for a " + std::string(order_name(r)) + " of " + short_text(least) +
+                                                  unit + ", and the drive can " + short_text(limit[o]) + unit +
+                                                  ": take less, or raise drive/" + order_name(r)});
+      };
+      look(problem.points[i].value(r), {"points", point, order_name(r)});
+      look(problem.points[i].section[o], {"points", point, "section", order_name(r)});
+    }
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  if (stretches(problem) && problem.points_stroke() == 0)
+    throw InvalidInput({InputFault{{"drive"},
+                                   "nothing has to move: every cycle is long enough, and none is the shortest. Give "
+                                   "master/cycle_duration, or positions that differ"}});
+}
+
+ShortestCycle find_shortest_cycle(const MotionLawProblem& problem, Progress& progress) {
+  ShortestCycle result;
+  CycleSearch(problem, result, progress).run();
   return result;
 }
 

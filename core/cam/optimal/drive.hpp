@@ -2,23 +2,30 @@
 /// The shortest cycle of a law within a drive's velocity, acceleration and jerk.
 ///
 /// M(T) is the minimum, over all laws of the degree with a cycle of duration T, of the largest ratio of a peak to its
-/// limit: a linear program with one shared peak, solved with its dual bound. T is long enough exactly if M(T) ≤ 1. If
-/// no point asks for a derivative other than 0, a stretched law is a law, too. M then falls with T and the search is a
-/// proof: below `too_short` the dual bound says M > 1.
+/// limit: a linear program with one shared peak. T is long enough exactly if M(T) ≤ 1. Angles in ranges and the cycle
+/// are sought in turn: the angles that make M least in a cycle, then the cycle at these angles. If no point asks for a
+/// derivative other than 0, a stretched law is a law, too, and M falls with T: where the relaxation over all laws
+/// (relaxation.hpp) has M > 1 at some T, no law has a shorter cycle.
+#include <optional>
+
 #include "core/cam/optimal/program/spline_program.hpp"
+#include "core/cam/solution.hpp"
 
 namespace bahnwerk::cam {
 
 struct ShortestCycle {
-  double duration = 0;   ///< duration of the law's cycle, s
-  double too_short = 0;  ///< s; no law of this degree is within the limits in this time or, where monotone, in less
-  bool monotone = true;  ///< whether M falls with T
-  SplineResult spline;   ///< the spline in the units of the task with `duration`
+  double duration = 0;              ///< duration of the law's cycle, s
+  SplineResult spline;              ///< the spline in the units of the task with `duration`
+  std::optional<CycleBound> bound;  ///< none where a stretched law is no law
   int degree = 0, pieces = 1;
   int programs = 0;
 };
 
-/// Throws InvalidInput where no law exists at any duration that was tried.
+/// Throws InvalidInput where the drive has no limit, a point asks for more than the drive can, or nothing has to move.
+void check_drive(const MotionLawProblem& problem);
+
+/// Finds the cycle of a problem that check_drive() has passed. Throws InvalidInput where no law exists at any duration
+/// that was tried.
 ShortestCycle find_shortest_cycle(const MotionLawProblem& problem, Progress& progress);
 
 }  // namespace bahnwerk::cam

@@ -15,7 +15,7 @@ constexpr double least_section = 1e-3;  // share of the mean section by which an
 
 class AngleSearch {
  public:
-  AngleSearch(const LawTask& task, const SectionBasis& basis, Progress& progress)
+  AngleSearch(const LawTask& task, const LawBasis& basis, Progress& progress)
       : task_(task), basis_(basis), progress_(progress) {}
 
   SplineResult at(const std::vector<double>& times, double gap, const std::vector<LawSample>* samples) {
@@ -90,7 +90,7 @@ class AngleSearch {
   }
 
   const LawTask& task_;
-  const SectionBasis& basis_;
+  const LawBasis& basis_;
   Progress& progress_;
 };
 
@@ -106,7 +106,7 @@ void order(const LawTask& task, std::vector<double>& times) {
 
 }  // namespace
 
-FreeAngles optimise_angles(const LawTask& task, const SectionBasis& basis, std::uint64_t seed, Progress& progress) {
+FreeAngles optimise_angles(const LawTask& task, const LawBasis& basis, std::uint64_t seed, Progress& progress) {
   AngleSearch search(task, basis, progress);
   Random random(seed);
   constexpr int starts = 4;
@@ -130,7 +130,7 @@ FreeAngles optimise_angles(const LawTask& task, const SectionBasis& basis, std::
   return result;
 }
 
-FreeAngles refine_angles(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
+FreeAngles refine_angles(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
                          Progress& progress) {
   AngleSearch search(task, basis, progress);
   FreeAngles result;

@@ -1,19 +1,24 @@
 #pragma once
 /// Why no law exists: which values contradict each other, which ranges and section limits cannot hold.
 #include "core/cam/optimal/law_task.hpp"
-#include "core/cam/optimal/program/section_basis.hpp"
+#include "core/cam/optimal/program/law_basis.hpp"
 
 namespace bahnwerk {
 class Progress;
 }
 namespace bahnwerk::cam {
 
-/// Throws InvalidInput where a section's limits leave nothing of what the points at its ends ask for.
-void check_contradictions(const MotionLawProblem& problem);
+/// Throws InvalidInput where a section's limits leave nothing of what the points at its ends ask for. `given` is the
+/// problem as the user wrote it, whose straight sections have no limits.
+void check_contradictions(const MotionLawProblem& problem, const MotionLawProblem& given);
+
+/// Throws InvalidInput where a section is too short for published coefficients of that degree (is_expressible()).
+void check_lengths(const MotionLawProblem& problem, const LawTask& task, int degree);
 
 /// Throws InvalidInput with the values, ranges and limits that stand against each other, by the multipliers of the
-/// program "least violation" (a Farkas certificate); returns where a law exists after all.
-void explain_infeasible(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
-                        Progress& progress);
+/// program "least violation" (a Farkas certificate); returns where a law exists after all. `all_degrees`: none of the
+/// degrees and pieces has a law.
+void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
+                        Progress& progress, bool all_degrees = false);
 
 }  // namespace bahnwerk::cam

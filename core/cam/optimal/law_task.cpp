@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/cam/cam_law.hpp"
+#include "core/cam/optimal/forced_sections.hpp"
 #include "core/cam/optimal/sections/given_sections.hpp"
 
 namespace bahnwerk::cam {
@@ -140,6 +141,7 @@ LawTask make_law_task(const MotionLawProblem& problem) {
   }
   tighten(task, task.at);
   add_given_sections(problem, task);
+  fix_forced_sections(task);
   pin_values(task);
   const std::array<double, limited_orders> weight = effective_weights(problem);
   for (int r = 1; r < limited_orders; ++r)

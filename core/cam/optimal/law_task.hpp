@@ -13,6 +13,8 @@ namespace bahnwerk::cam {
 
 struct LawTask {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  /// Peaks by order of a law from rest to rest over the mean section, in these units: what derivatives usually have.
+  static constexpr double usual_peaks[limited_orders] = {1, 2, 6, 60};
   struct Condition {
     std::size_t point;
     int order;

@@ -11,10 +11,16 @@
 #include "core/cam/optimal/law_faults.hpp"
 #include "core/cam/optimal/program/spline_program.hpp"
 #include "core/cam/optimal/relaxation/law_bound.hpp"
+#include "core/cam/optimal/rest_to_rest.hpp"
 #include "core/cam/optimal/sections/straight_sections.hpp"
 
 namespace bahnwerk::cam {
 namespace {
+
+MotionLawProblem with_duration(MotionLawProblem problem, double duration) {
+  problem.cycle_duration = duration;
+  return problem;
+}
 
 std::string number(double value) {
   char text[32];
@@ -33,12 +39,10 @@ std::vector<double> straight_line(const MotionLawProblem& problem, const LawTask
 }
 
 /// Given sections with their own pieces, straight ones as a line each.
-CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const SectionBasis& basis,
-              const SplineResult& spline) {
+CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const LawBasis& basis, const SplineResult& spline) {
   std::vector<double> breaks;
   std::vector<LawPiece> pieces;
   const double begin = problem.points.front().at.min * problem.seconds_per_unit();
-  const double count = static_cast<double>(basis.pieces());
   const auto add = [&](std::size_t section, double time, std::vector<double> bernstein) {
     breaks.push_back(begin + task.unit_time * time);
     pieces.push_back({section, std::move(bernstein)});
@@ -49,7 +53,7 @@ CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const Sectio
   };
   for (std::size_t section = 0; section < task.sections(); ++section) {
     const double from = spline.breaks[section], length = spline.breaks[section + 1] - from;
-    const double* const coefficients = spline.coefficients.data() + section * basis.size();
+    const double* const coefficients = spline.coefficients.data() + basis.first(section);
     if (task.is_given(section)) {
       const GivenSection& given = task.given[section]->law;
       for (std::size_t i = 0; i < given.bernstein.size(); ++i)
@@ -57,9 +61,11 @@ CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const Sectio
     } else if (task.constant_velocity(section)) {
       add(section, from, straight_line(problem, task, section, coefficients[0], length));
     } else {
-      for (std::size_t piece = 0; piece < basis.pieces(); ++piece) {
-        std::vector<double> b(basis.degree() + 1);
-        basis.bernstein(piece, coefficients, b.data());
+      const SectionBasis& own = basis.section(section);
+      const double count = static_cast<double>(own.pieces());
+      for (std::size_t piece = 0; piece < own.pieces(); ++piece) {
+        std::vector<double> b(own.degree() + 1);
+        own.bernstein(piece, coefficients, 0, b.data());
         add(section, from + length * static_cast<double>(piece) / count, in_user_units(std::move(b)));
       }
     }
@@ -69,7 +75,7 @@ CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const Sectio
 }
 
 /// Returns the law with all peaks and with J as the problem weighs them: the drive's program knows the limited ones.
-SplineResult in_weights(const MotionLawProblem& problem, const LawTask& task, const SectionBasis& basis,
+SplineResult in_weights(const MotionLawProblem& problem, const LawTask& task, const LawBasis& basis,
                         SplineResult spline) {
   const LawValue value = evaluate_objective(problem, to_law(problem, task, basis, spline));
   for (std::size_t r = 1; r < limited_orders; ++r)
@@ -120,32 +126,56 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
   LawSolution& solution = result.solution;
   DegreeChoice chosen;
   const bool shortest = !problem.cycle_duration;
+  std::optional<RestToRest> direct;
   if (shortest) {
+    check_drive(problem);
+    if (!problem.degree) direct = rest_to_rest(problem);
+    const LawTask task = make_law_task(with_duration(problem, 1));
+    check_lengths(problem, task, direct ? 3 : problem.degree.value_or(least_degree(task)));
+  }
+  if (direct) {
+    problem.cycle_duration = direct->duration;
+    chosen.degree = 3, chosen.pieces = 7;
+    chosen.notes.push_back(
+        "The cycle is the shortest within the drive's limits, in closed form: constant jerk, "
+        "acceleration and velocity from rest to rest.");
+    if (direct->duration > direct->bound * (1 + 1e-9))
+      chosen.notes.push_back("Without a limit of jerk no law reaches the shortest cycle, " + number(direct->bound) +
+                             " s: its acceleration would jump. This one has ramps.");
+    solution.cycle_bound = CycleBound{direct->bound, "time-optimal motion from rest to rest in each section"};
+  } else if (shortest) {
     ShortestCycle cycle = find_shortest_cycle(problem, progress);
     problem.cycle_duration = cycle.duration;
     chosen = {cycle.degree, cycle.pieces, std::move(cycle.spline), 0, "", cycle.programs, {}};
     chosen.notes.push_back("The cycle is the shortest within the drive's limits for degree " +
                            std::to_string(cycle.degree) + " and " + std::to_string(cycle.pieces) +
                            " pieces per section" +
-                           (cycle.monotone ? ": in " + number(cycle.too_short) + " s or less there is none."
-                                           : ". Values other than 0 were asked for, or vibration: a shorter cycle may "
-                                             "exist that is not next to this one."));
+                           (problem.has_free_angles() ? ", at the angles that were found" : "") +
+                           (cycle.bound ? ": no law at all has one of " + number(cycle.bound->duration) + " s or less."
+                                        : ". Values other than 0 were asked for, or vibration: a shorter cycle may "
+                                          "exist that is not next to this one."));
+    solution.cycle_bound = std::move(cycle.bound);
   }
-  check_contradictions(problem);
+  check_contradictions(problem, given);
   const LawTask task = make_law_task(problem);
-  if (shortest) {
-    const SectionBasis basis(chosen.degree, chosen.pieces);
+  if (direct) {
+    solution.law = direct->law;
+    const double objective = evaluate_objective(problem, direct->law).objective;
+    bound_law(task, KnownLaw(task, direct->law, task.middle(), objective), chosen, progress);
+  } else if (shortest) {
+    const LawBasis basis(task, chosen.degree, chosen.pieces);
     const KnownLaw law(task, basis, in_weights(problem, task, basis, chosen.spline));
     bound_law(task, law, chosen, progress);
   } else {
+    check_lengths(problem, task, problem.degree.value_or(least_degree(task)));
     chosen = choose_degree(problem, task, progress);
   }
   result.degree = chosen.degree;
   result.pieces = chosen.pieces;
   solution.notes = chosen.notes;
-  const SectionBasis basis(chosen.degree, chosen.pieces);
+  const LawBasis basis(task, chosen.degree, chosen.pieces);
   const SplineResult& spline = chosen.spline;
-  solution.law = to_law(problem, task, basis, spline);
+  if (!direct) solution.law = to_law(problem, task, basis, spline);
   solution.cycle_duration = *problem.cycle_duration;
   for (std::size_t i = 0; i < task.points(); ++i)
     solution.at.push_back(task.at[i].fixed()
@@ -164,7 +194,9 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
     degree = std::max(degree, static_cast<int>(solution.law.piece(i).degree()));
   }
   solution.systems = static_cast<std::size_t>(chosen.programs);
-  if (shortest) {
+  if (direct) {
+    result.proven = true;
+  } else if (shortest) {
     // The law was made for the cycle, not for J: what J could be at its angles says another program.
     const std::vector<double> times(spline.breaks.begin(),
                                     spline.breaks.begin() + static_cast<std::ptrdiff_t>(task.points()));

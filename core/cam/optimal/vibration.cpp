@@ -35,11 +35,11 @@ GaussRule gauss_rule() {
 
 }  // namespace
 
-std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const SectionBasis& basis,
+std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const LawBasis& basis,
                                            const std::vector<double>& breaks, const LawTask::Vibration& vibration) {
   static const GaussRule rule = gauss_rule();
-  const std::size_t sections = task.sections(), size = basis.size(), n = basis.degree();
-  std::vector<double> real(sections * size), imaginary(sections * size), weights(n + 1);
+  const std::size_t sections = task.sections();
+  std::vector<double> real(basis.size()), imaginary(basis.size()), weights;
   const std::size_t steps = (vibration.to + (vibration.to > vibration.from ? 0 : task.points())) - vibration.from;
   double whole = 0;
   for (std::size_t k = 0; k < steps; ++k) {
@@ -54,8 +54,10 @@ std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const SectionBas
   double t = 0;
   for (std::size_t k = 0; k < steps; ++k) {
     const std::size_t section = (vibration.from + k) % sections;
+    const SectionBasis& own = basis.section(section);
     const double length = breaks[section + 1] - breaks[section],
-                 piece_length = length / static_cast<double>(basis.pieces());
+                 piece_length = length / static_cast<double>(own.pieces());
+    weights.resize(own.size());
     if (task.is_given(section)) {
       const GivenSection& given = task.given[section]->law;
       for (std::size_t piece = 0; piece < given.bernstein.size(); ++piece) {
@@ -78,18 +80,19 @@ std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const SectionBas
       continue;
     }
     const std::size_t parts = parts_of(piece_length);
-    for (std::size_t piece = 0; piece < basis.pieces(); ++piece)
+    for (std::size_t piece = 0; piece < own.pieces(); ++piece)
       for (std::size_t part = 0; part < parts; ++part)
         for (std::size_t q = 0; q < rule.node.size(); ++q) {
           const double v = (static_cast<double>(part) + rule.node[q]) / static_cast<double>(parts);
           const double at = t + (static_cast<double>(piece) + v) * piece_length;
           const double factor = rule.weight[q] * piece_length / static_cast<double>(parts) / (length * length) *
                                 std::exp(vibration.decay * (at - whole));
-          basis.weights(piece, v, 2, weights.data());
+          own.weights(piece, v, 2, weights.data());
           const double c = factor * std::cos(vibration.frequency * at), s = factor * std::sin(vibration.frequency * at);
-          for (std::size_t i = 0; i <= n; ++i) {
-            real[section * size + piece + i] += c * weights[i];
-            imaginary[section * size + piece + i] += s * weights[i];
+          for (std::size_t i = 0; i < own.size(); ++i) {
+            const double weight = weights[i] * coefficient_of_variable(length, i);
+            real[basis.first(section) + i] += c * weight;
+            imaginary[basis.first(section) + i] += s * weight;
           }
         }
     t += length;

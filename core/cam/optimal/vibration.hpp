@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "core/cam/optimal/law_task.hpp"
-#include "core/cam/optimal/program/section_basis.hpp"
+#include "core/cam/optimal/program/law_basis.hpp"
 
 namespace bahnwerk::cam {
 
 struct VibrationRow {
-  std::vector<std::pair<std::size_t, double>> terms;  ///< coefficient of the spline, weight
+  std::vector<std::pair<std::size_t, double>> terms;  ///< variable of the program, weight
   double given = 0;                                   ///< contribution of given sections; the sum of both has to be 0
 };
 /// Returns the rows of the integral's real and imaginary part, scaled by e^{−ζω t1}. Gauss–Legendre quadrature has 12
 /// points on each of the parts, which turn by 1 rad at most: it is exact to rounding up to degree 21.
-std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const SectionBasis& basis,
+std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const LawBasis& basis,
                                            const std::vector<double>& breaks, const LawTask::Vibration& vibration);
 
 }  // namespace bahnwerk::cam

@@ -75,24 +75,27 @@ void take_difference(const CamLaw& law, double t0, double t1, const std::vector<
 
 /// Returns the table of points at given times, joined by `between`.
 ControllerTable table_at(const CamLaw& law, const TableCycle& cycle, const std::vector<double>& times,
-                         const std::vector<Between>& between) {
+                         const std::vector<Between>& between, bool own_ends) {
   ControllerTable out;
   const double rate = cycle.duration / cycle.length;  // s per master's unit
-  std::array<double, 4> now = state(law, times.front(), false);
+  const auto point = [&](std::size_t k, const std::array<double, 4>& now) {
+    const bool last = k + 1 == times.size();
+    return TablePoint{cycle.begin + (last ? cycle.length : times[k] / rate),
+                      now[0],
+                      now[1] * rate,
+                      now[2] * rate * rate,
+                      now[3] * rate * rate * rate,
+                      last ? between.back() : between[k]};
+  };
   for (std::size_t k = 0; k < times.size(); ++k) {
     const bool last = k + 1 == times.size();
-    TablePoint point{cycle.begin + (last ? cycle.length : times[k] / rate),
-                     now[0],
-                     now[1] * rate,
-                     now[2] * rate * rate,
-                     now[3] * rate * rate * rate,
-                     last ? between.back() : between[k]};
-    out.points.push_back(point);
+    const std::array<double, 4> now = state(law, times[k], last);
+    out.points.push_back(point(k, now));
     if (last) break;
-    // A controller knows one state per point: the one behind it.
-    const std::array<double, 4> next = state(law, times[k + 1], k + 2 == times.size());
+    // A controller that knows one state per point takes the one behind it.
+    const std::array<double, 4> next = state(law, times[k + 1], own_ends || k + 2 == times.size());
+    out.ends.push_back(point(k + 1, next));
     take_difference(law, times[k], times[k + 1], driven(between[k], times[k + 1] - times[k], now, next), out.error);
-    now = next;
   }
   return out;
 }
@@ -103,10 +106,11 @@ ControllerTable even_table(const CamLaw& law, const TableCycle& cycle, std::size
   std::vector<double> times;
   for (std::size_t k = 0; k <= steps; ++k)
     times.push_back(law.duration() * static_cast<double>(k) / static_cast<double>(steps));
-  return table_at(law, cycle, times, std::vector<Between>(times.size(), between));
+  return table_at(law, cycle, times, std::vector<Between>(times.size(), between), false);
 }
 
-ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic) {
+ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic,
+                             bool own_ends) {
   const auto range = law.extremes(0);
   const double stroke = range.highest.value - range.lowest.value, jerk = law.peak(3).value;
   std::vector<bool> jumps(law.pieces() + 1, false);
@@ -125,7 +129,7 @@ ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::si
       }
     times.push_back(law.duration());
     between.push_back(between.back());
-    best = table_at(law, cycle, times, between);
+    best = table_at(law, cycle, times, between, own_ends);
     if (best.error[0] <= 1e-6 * stroke && best.error[3] <= 0.01 * jerk) break;
   }
   return best;

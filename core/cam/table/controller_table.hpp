@@ -26,6 +26,7 @@ struct TableCycle {
 
 struct ControllerTable {
   std::vector<TablePoint> points;
+  std::vector<TablePoint> ends;  ///< states at the ends of the curves, one per curve
   /// True peak of the difference between s^(r) of the law and of the table, r = 0 … 3, unit/s^r, at cycle.duration.
   std::array<double, 4> error{};
 };
@@ -36,7 +37,10 @@ ControllerTable even_table(const CamLaw& law, const TableCycle& cycle, std::size
 /// Makes a table with points at the breaks of the law, pieces divided into 1, 2, 4 … 64 equal parts until the table is
 /// within 1e-6 of the stroke and 1 % of the peak jerk, or has `max_points`. A polynomial of degree 5 takes position,
 /// velocity and acceleration at its ends, one of degree 7 the jerk, too: it is used between points where the jerk does
-/// not jump. A piece of degree 5 (7) at most is itself, where both hold. `septic` false: degree 5 alone.
-ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic = true);
+/// not jump. A piece of degree 5 (7) at most is itself, where both hold. `septic` false: degree 5 alone. `own_ends`:
+/// the controller knows the state at the end of each curve beside that at the begin of the next one; else the latter
+/// counts.
+ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic = true,
+                             bool own_ends = false);
 
 }  // namespace bahnwerk::cam

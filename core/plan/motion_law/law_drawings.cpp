@@ -42,7 +42,13 @@ class LawPanel {
     if (const CamLaw* other = compared()) hold_law(*other);
     for (const cam::MotionPoint& p : plan.problem.points) hold(p.value(order));
     hold_near_limits();
-    const double room = high_ > low_ ? 0.06 * (high_ - low_) : std::max(1.0, std::abs(high_));
+    // What rounding leaves of a derivative that is constant is no range.
+    const auto positions = plan.solution.law.extremes(0);
+    const double stroke = positions.highest.value - positions.lowest.value;
+    const double usual = stroke / std::pow(plan.solution.law.duration(), order);
+    const bool flat = !(high_ - low_ > 1e-9 * std::max({std::abs(low_), std::abs(high_), usual}));
+    if (flat && std::abs(high_) < 1e-9 * usual) low_ = high_ = 0;
+    const double room = flat ? std::max(1.0, std::abs(high_)) : 0.06 * (high_ - low_);
     low_ -= room, high_ += room;
   }
 

@@ -25,6 +25,8 @@ double mean_velocity_bound(const cam::MotionLawProblem& problem) {
 
 namespace {
 
+constexpr const char* mean_basis = "the mean velocity between two points is reached";
+
 /// Bounds a law of `active_set` by what method `optimal` proves of its problem: with fixed angles it has a bound over
 /// all laws. A classical law is one of these laws if its acceleration does not jump inside the section.
 void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Progress& progress) {
@@ -75,12 +77,18 @@ PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress) {
     cam::OptimalLaw found = cam::plan_optimal_law(problem, optimising, candidate ? &*out.source : nullptr);
     out.solution = std::move(found.solution);
     if (out.solution.bound) out.lower = out.solution.bound->objective, out.basis = out.solution.bound->basis;
+    cam::MotionLawProblem timed = problem;
+    timed.cycle_duration = out.solution.cycle_duration;
+    if (const double mean = mean_velocity_bound(timed); mean > out.lower) {
+      out.lower = std::min(mean, out.solution.value.objective);
+      out.basis = mean_basis;
+    }
     return out;
   }
   ProgressPart solving(progress, "active_set", 0, 0.5), bounding(progress, "bound", 0.5, 1);
   out.solution = cam::plan_active_set(problem, solving);
   out.lower = mean_velocity_bound(problem);
-  out.basis = "the mean velocity between two points is reached";
+  out.basis = mean_basis;
   bound_by_optimum(problem, out, bounding);
   return out;
 }

@@ -41,15 +41,12 @@ std::vector<double> derivative_coefficients(const std::vector<double>& b, double
   return out;
 }
 
-DerivativeScale derivative_scale(const std::vector<double>& b, double duration, int order) {
+double derivative_rounding(const std::vector<double>& b, double duration, int order) {
   const auto [least, most] = std::minmax_element(b.begin(), b.end());
   const int n = static_cast<int>(b.size()) - 1;
-  DerivativeScale scale{*most - *least, 16 * std::numeric_limits<double>::epsilon() * std::max(-*least, *most)};
-  for (int k = 0; k < order; ++k) {
-    const double factor = static_cast<double>(std::max(n - k, 1)) / duration;
-    scale.size *= factor, scale.rounding *= 2 * factor;
-  }
-  return scale;
+  double rounding = 16 * std::numeric_limits<double>::epsilon() * std::max(-*least, *most);
+  for (int k = 0; k < order; ++k) rounding *= 2 * static_cast<double>(std::max(n - k, 1)) / duration;
+  return rounding;
 }
 
 EnclosedMaximum enclosed_maximum(const std::vector<double>& c, double tolerance) {

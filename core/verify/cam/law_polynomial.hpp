@@ -10,12 +10,9 @@ double bernstein_sum(const std::vector<double>& c, double x);
 /// Returns the coefficients of the derivative of the given order over time, from differences of the position's: Δ^r b ·
 /// n!/(n − r)! / T^r; {0} above the degree.
 std::vector<double> derivative_coefficients(const std::vector<double>& b, double duration, int order);
-/// Magnitude that the coefficients of a piece can express in a derivative: their spread · n!/(n − r)!/T^r, and how far
-/// rounding may move it.
-struct DerivativeScale {
-  double size = 0, rounding = 0;
-};
-DerivativeScale derivative_scale(const std::vector<double>& b, double duration, int order);
+/// Returns how far rounding of the coefficients of a piece may move a derivative: 16 ε of the largest one ·
+/// 2^r n!/(n − r)!/T^r.
+double derivative_rounding(const std::vector<double>& b, double duration, int order);
 
 struct EnclosedMaximum {
   double value = 0;  ///< upper bound of the maximum over [0, 1], at most `tolerance` above it

@@ -18,7 +18,9 @@ using cam::MotionLawProblem;
 using cam::Range;
 using namespace verify;
 
-constexpr double tolerance = 1e-9;  // part of the magnitude that coefficients can express
+constexpr double tolerance = 1e-9;      // part of a derivative's size
+constexpr double most_rounding = 1e-4;  // part of a derivative's size that rounding of coefficients may take
+constexpr std::size_t orders = 23;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 const char* derivative_name(int order) {
@@ -48,6 +50,7 @@ class Verifier {
   Verification run(const SetpointSource& table) {
     shape();
     if (!out_.passed) return std::move(out_);
+    sizes();
     points();
     sections();
     peaks();
@@ -74,9 +77,28 @@ class Verifier {
   std::vector<double> derived(std::size_t piece, int order) const {
     return derivative_coefficients(law_.bernstein[piece], duration(piece), order);
   }
-  double allowed(std::size_t piece, int order) const {
-    const DerivativeScale scale = derivative_scale(law_.bernstein[piece], duration(piece), order);
-    return tolerance * scale.size + scale.rounding;
+  double size(int order) const { return size_[std::min(static_cast<std::size_t>(order), orders - 1)]; }
+  double rounding(std::size_t piece, int order) const {
+    const double whole = derivative_rounding(law_.bernstein[piece], duration(piece), order);
+    return order == 0 ? whole : std::min(whole, most_rounding * size(order));
+  }
+  double allowed(std::size_t piece, int order) const { return tolerance * size(order) + rounding(piece, order); }
+  /// The size of a derivative: the largest value of the whole law at some places, at least stroke by cycle^order. A
+  /// short section does not enlarge it, unless the law is as large there.
+  void sizes() {
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const auto& piece : law_.bernstein) {
+      const auto [low, high] = std::minmax_element(piece.begin(), piece.end());
+      least = std::min(least, *low), most = std::max(most, *high);
+    }
+    double usual = std::max(most - least, 1e-6 * std::max(std::abs(most), std::abs(least)));
+    for (std::size_t r = 0; r < orders; ++r, usual /= law_.cycle_duration) {
+      size_[r] = usual;
+      for (std::size_t i = 0; r > 0 && i < law_.bernstein.size(); ++i) {
+        const auto c = derived(i, static_cast<int>(r));
+        for (const double x : {0.0, 0.25, 0.5, 0.75, 1.0}) size_[r] = std::max(size_[r], std::abs(bernstein_sum(c, x)));
+      }
+    }
   }
   std::size_t sections_count() const { return problem_.sections(); }
   double section_begin(std::size_t section) const {
@@ -211,7 +233,7 @@ class Verifier {
   /// Rows against the law, evaluated by the binomial sum, and against the limits of their section.
   void rows(const SetpointSource& table) {
     Worst columns[5], limits[cam::limited_orders];
-    const double n = static_cast<double>(table.count() - 1), step = law_.cycle_duration / n;
+    const double n = static_cast<double>(table.count() - 1);
     const double first =
         problem_.periodic && problem_.points.front().at.min >= 0 && problem_.points.back().at.max <= problem_.length
             ? 0
@@ -224,8 +246,9 @@ class Verifier {
           columns[0].take(std::abs(row[0] - (first + problem_.length * share)),
                           1e-12 * (std::abs(first) + problem_.length), share * law_.cycle_duration);
           double t = first * law_.cycle_duration / problem_.length + share * law_.cycle_duration;
-          while (problem_.periodic && t < law_.breaks.front() - 1e-7 * step) t += law_.cycle_duration;
-          while (problem_.periodic && t >= law_.breaks.back() - 1e-7 * step) t -= law_.cycle_duration;
+          const double same = moment(t);
+          while (problem_.periodic && t < law_.breaks.front() - same) t += law_.cycle_duration;
+          while (problem_.periodic && t >= law_.breaks.back() - same) t -= law_.cycle_duration;
           while (piece > 0 && t < law_.breaks[piece]) --piece;
           while (piece + 1 < law_.bernstein.size() && t >= law_.breaks[piece + 1]) ++piece;
           // A row at a break may show either side.
@@ -237,7 +260,7 @@ class Verifier {
             for (int r = 0; r < 4; ++r)
               if (there[r] / off_there[r] < distance[r] / off[r]) distance[r] = there[r], off[r] = off_there[r];
           };
-          const bool at_begin = t - law_.breaks[piece] < 1e-7 * step, at_end = law_.breaks[piece + 1] - t < 1e-7 * step;
+          const bool at_begin = t - law_.breaks[piece] < same, at_end = law_.breaks[piece + 1] - t < same;
           if (at_begin && piece > 0) other(piece - 1, law_.breaks[piece]);
           if (at_begin && piece == 0 && problem_.periodic) other(law_.bernstein.size() - 1, law_.breaks.back());
           if (at_end && piece + 1 < law_.bernstein.size()) other(piece + 1, law_.breaks[piece + 1]);
@@ -256,15 +279,15 @@ class Verifier {
       add(std::string("table section limit ") + derivative_name(r), r, limits[r]);
   }
 
+  /// What rounding of times may be, s.
+  double moment(double t) const { return 64 * 2.3e-16 * (std::abs(t) + law_.cycle_duration); }
+
   /// Distances of a row from a piece at t, and what time's rounding and the coefficients' may make of them.
   void compare(std::size_t piece, double t, const double* row, double* distance, double* off) const {
     const double x = std::clamp((t - law_.breaks[piece]) / duration(piece), 0.0, 1.0);
-    const double moment = 8 * 2.3e-16 * (std::abs(t) + law_.cycle_duration);
     for (int r = 0; r < 4; ++r) {
       distance[r] = std::abs(row[1 + r] - bernstein_sum(derived(piece, r), x));
-      const DerivativeScale scale = derivative_scale(law_.bernstein[piece], duration(piece), r),
-                            next = derivative_scale(law_.bernstein[piece], duration(piece), r + 1);
-      off[r] = 1e-12 * scale.size + scale.rounding + next.size * moment + 1e-300;
+      off[r] = 1e-12 * size(r) + rounding(piece, r) + size(r + 1) * moment(t) + 1e-300;
     }
   }
 
@@ -273,6 +296,7 @@ class Verifier {
   Progress& progress_;
   Verification out_;
   std::vector<std::size_t> first_piece_;
+  double size_[orders] = {};
 };
 
 }  // namespace

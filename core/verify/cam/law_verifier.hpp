@@ -39,8 +39,9 @@ struct LawToVerify {
 ///   table <column>              distance of a row from the law
 ///   table section limit <derivative>   rows beyond the limits of their section
 ///   bound                       bound beyond J
-/// Tolerances: 1e-9 of what the coefficients of the pieces that meet can express in the derivative, at least their
-/// rounding. O(pieces · degree²) and O(rows · degree²).
+/// Tolerances: 1e-9 of the derivative's size in the whole law, and what rounding of the coefficients may move it, 1e-4
+/// of that size at most: the shorter a piece, the more its rounding moves a derivative, but not what is accepted.
+/// O(pieces · degree²) and O(rows · degree²).
 Verification verify_motion_law(const cam::MotionLawProblem& problem, const LawToVerify& law,
                                const SetpointSource& table, Progress& progress);
 

@@ -78,7 +78,8 @@ void check_textbook_laws(const cam::MotionLawProblem& problem, const LawToVerify
     const auto rests = [&](std::size_t piece, bool end) {
       const double T = law.breaks[piece + 1] - law.breaks[piece];
       const auto v = derivative_coefficients(law.bernstein[piece], T, 1);
-      return std::abs(end ? v.back() : v.front()) <= 1e-9 * derivative_scale(law.bernstein[piece], T, 1).size;
+      const auto [least, most] = std::minmax_element(law.bernstein[piece].begin(), law.bernstein[piece].end());
+      return std::abs(end ? v.back() : v.front()) <= 1e-9 * static_cast<double>(v.size()) * (*most - *least) / T;
     };
     const bool straight = *from.law == ClassicalLaw::straight;
     if (!straight && !(rests(first, false) && rests(last, true))) continue;

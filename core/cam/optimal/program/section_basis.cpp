@@ -1,7 +1,6 @@
 #include "core/cam/optimal/program/section_basis.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace bahnwerk::cam {
@@ -13,12 +12,11 @@ constexpr std::size_t max_order_count = 23;  // coefficients of degree 22
 
 SectionBasis::SectionBasis(int degree, int pieces)
     : degree_(static_cast<std::size_t>(degree)), pieces_(static_cast<std::size_t>(pieces)) {
-  if (pieces_ == 1) return;
-  const std::size_t n = degree_, count = n + 1;
+  const std::size_t n = degree_ - states, count = n + 1, whole = size();
+  for (std::size_t r = 0; r <= states; ++r) to_bernstein_[r].assign(pieces_ * (degree_ - r + 1) * whole, 0);
   const auto knot = [&](std::size_t i) {  // knot i, in pieces
     return i <= n ? 0.0 : static_cast<double>(std::min(i - n, pieces_));
   };
-  to_bernstein_.resize(pieces_ * count * count);
   std::vector<double> d(count * count);
   for (std::size_t p = 0; p < pieces_; ++p) {
     const double a = static_cast<double>(p), b = a + 1;
@@ -34,7 +32,24 @@ SectionBasis::SectionBasis(int degree, int pieces)
             d[i * count + k] = (1 - share) * d[(i - 1) * count + k] + share * d[i * count + k];
         }
       }
-      for (std::size_t k = 0; k < count; ++k) to_bernstein_[(p * count + j) * count + k] = d[n * count + k];
+      double* const out = to_bernstein_[states].data() + (p * count + j) * whole + states + p;
+      std::copy(d.begin() + static_cast<std::ptrdiff_t>(n * count), d.end(), out);
+    }
+  }
+  // Each lower order is the integral: it begins where the piece before ends.
+  for (std::size_t r = states; r-- > 0;) {
+    const std::size_t rows = degree_ - r;  // Bernstein coefficients of the derivative of order r + 1
+    const double step = 1 / (static_cast<double>(rows) * static_cast<double>(pieces_));
+    for (std::size_t p = 0; p < pieces_; ++p) {
+      double* out = to_bernstein_[r].data() + p * (rows + 1) * whole;
+      if (p == 0)
+        out[r] = 1;
+      else
+        std::copy(out - whole, out, out);
+      for (std::size_t j = 0; j < rows; ++j, out += whole) {
+        const double* const slope = row(p, r + 1, j);
+        for (std::size_t k = 0; k < whole; ++k) out[whole + k] = out[k] + step * slope[k];
+      }
     }
   }
 }
@@ -53,17 +68,15 @@ void SectionBasis::bernstein_values(std::size_t degree, double v, double* out) {
 }
 
 void SectionBasis::weights(std::size_t piece, double v, std::size_t order, double* out) const {
-  const std::size_t n = degree_;
-  if (order > n) {
-    std::fill(out, out + n + 1, 0.0);
-    return;
-  }
+  std::fill(out, out + size(), 0.0);
+  if (order > degree_) return;
+  const std::size_t n = degree_, lower = std::min(order, states);
   std::array<double, max_order_count> values{};
   bernstein_values(n - order, v, values.data());
   double factor = 1;
-  for (std::size_t k = 0; k < order; ++k) factor *= static_cast<double>((n - k) * pieces_);
-  // The adjoint of `order` differences.
-  for (std::size_t k = n - order; k < n; ++k) {
+  for (std::size_t k = lower; k < order; ++k) factor *= static_cast<double>((n - k) * pieces_);
+  // The adjoint of order − 3 differences.
+  for (std::size_t k = n - order; k < n - lower; ++k) {
     double last = 0;
     for (std::size_t j = 0; j <= k + 1; ++j) {
       const double value = j <= k ? values[j] : 0;
@@ -71,28 +84,33 @@ void SectionBasis::weights(std::size_t piece, double v, std::size_t order, doubl
       last = value;
     }
   }
-  if (pieces_ == 1) {
-    for (std::size_t j = 0; j <= n; ++j) out[j] = factor * values[j];
-    return;
+  for (std::size_t j = 0; j <= n - lower; ++j) {
+    const double weight = factor * values[j];
+    if (weight == 0) continue;
+    const double* const from = row(piece, lower, j);
+    for (std::size_t k = 0; k < size(); ++k) out[k] += weight * from[k];
   }
-  std::fill(out, out + n + 1, 0.0);
-  const double* row = to_bernstein_.data() + piece * (n + 1) * (n + 1);
-  for (std::size_t j = 0; j <= n; ++j, row += n + 1)
-    for (std::size_t k = 0; k <= n; ++k) out[k] += factor * values[j] * row[k];
 }
 
-void SectionBasis::bernstein(std::size_t piece, const double* coefficients, double* out) const {
-  if (pieces_ == 1) {
-    std::copy(coefficients, coefficients + degree_ + 1, out);
-    return;
-  }
-  const std::size_t count = degree_ + 1;
-  const double* row = to_bernstein_.data() + piece * count * count;
-  for (std::size_t j = 0; j < count; ++j, row += count) {
+void SectionBasis::bernstein(std::size_t piece, const double* coefficients, std::size_t order, double* out) const {
+  for (std::size_t j = 0; j <= degree_ - order; ++j) {
+    const double* const from = row(piece, order, j);
     double sum = 0;
-    for (std::size_t k = 0; k < count; ++k) sum += row[k] * coefficients[piece + k];
+    for (std::size_t k = size(); k-- > 0;) sum += from[k] * coefficients[k];
     out[j] = sum;
   }
+}
+
+std::vector<double> SectionBasis::sites(std::size_t order) const {
+  const std::size_t n = degree_ - order;
+  std::vector<double> out;
+  for (std::size_t j = 0; j < n + pieces_; ++j) {
+    double sum = 0;
+    for (std::size_t k = 1; k <= n; ++k)
+      sum += std::clamp(static_cast<double>(j + k) - static_cast<double>(n), 0.0, static_cast<double>(pieces_));
+    out.push_back((n > 0 ? sum / static_cast<double>(n) : static_cast<double>(j) + 0.5) / static_cast<double>(pieces_));
+  }
+  return out;
 }
 
 void differentiate_bernstein(std::vector<double>& coefficients) {

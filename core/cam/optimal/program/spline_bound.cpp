@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/cam/optimal/program/spline_program.hpp"
 
@@ -55,12 +56,40 @@ double SplineProgram::settle_multipliers(const SplineResult& law) {
   return bound;
 }
 
-/// Returns how far a law with J ≤ upper may be from the current one inside a section: both pass the nearest position
-/// that is known, and neither is faster than its J allows. Infinite where nothing limits that.
-double SplineProgram::reach(std::size_t section, double upper, double peak_velocity) const {
+/// Returns by order how much a law with a J that is not above the current one's may differ from it anywhere; infinite
+/// where nothing limits that. A peak that counts is limited by J; else a derivative that is a number somewhere, or has
+/// mean 0, changes no more than its own derivative allows.
+std::array<double, limited_orders> SplineProgram::differences(const SplineResult& law) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, limited_orders> out{};
+  out.fill(infinity);
+  int smooth = limited_orders;  // order up to which derivatives are continuous
+  for (std::size_t p = 0; p < task_.points(); ++p)
+    if (task_.joint(p)) smooth = std::min(smooth, task_.continuity[p]);
+  std::size_t positions = 0;
+  for (const LawTask::Condition& condition : task_.conditions)
+    if (condition.order == 0 && condition.range.fixed()) ++positions;
+  for (std::size_t r = limited_orders - 1; r > 0; --r) {
+    const bool known =
+        task_.periodic || positions > r ||
+        std::any_of(task_.conditions.begin(), task_.conditions.end(), [&](const LawTask::Condition& condition) {
+          return condition.order == static_cast<int>(r) && condition.range.fixed();
+        });
+    if (counted(static_cast<int>(r)))
+      out[r] = law.objective / task_.weight[r] + law.peaks[r];
+    else if (r + 1 < limited_orders && known && smooth >= static_cast<int>(r))
+      out[r] = task_.cycle * out[r + 1];
+  }
+  double bound = position_bound(task_, law.objective);
+  for (std::size_t i = 0; i < basis_.size() && bound == 0; ++i) bound = std::max(bound, 1e3 * std::abs(point_.x[i]));
+  out[0] = 2 * bound;
+  return out;
+}
+
+/// Returns how far a law may be from the current one inside a section if their velocities differ by `speed` at most:
+/// both pass the nearest position that is known.
+double SplineProgram::reach(std::size_t section, double speed) const {
   double least = std::numeric_limits<double>::infinity();
-  if (!(task_.weight[1] > 0)) return least;
-  const double speed = upper / task_.weight[1] + peak_velocity;
   for (const LawTask::Condition& condition : task_.conditions) {
     if (condition.order != 0 || !std::isfinite(condition.range.max - condition.range.min)) continue;
     for (const double cycles : {-1.0, 0.0, 1.0}) {
@@ -74,46 +103,51 @@ double SplineProgram::reach(std::size_t section, double upper, double peak_veloc
 }
 
 /// Returns a bound by weak duality: cᵀx ≥ value + residualᵀx for every x that is feasible. The residual's worth is
-/// taken at the current law, less the largest difference of another law from it.
+/// taken at the current law, less the largest difference of another law from it: that of the highest derivative that is
+/// limited, as a sum of its values at points, and of the states below it.
 double SplineProgram::lower_bound(const SplineResult& law) const {
   const DualValue dual = dual_value(band_, point_.y, point_.z);
-  const double upper = law.objective;
   double bound = dual.value;
-  const std::size_t size = basis_.size(), n = basis_.degree();
-  double magnitude = position_bound(task_, upper);
-  if (magnitude == 0) {
-    for (std::size_t i = 0; i < band_.band_variables(); ++i)
-      magnitude = std::max(magnitude, 1e3 * std::abs(point_.x[i]));
-  }
-  // The residual of a section's coefficients is written as a sum of values of the law at points.
-  Eigen::MatrixXd collocation = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
-  std::vector<double> weights(n + 1);
-  for (std::size_t j = 0; j < size; ++j) {
-    double sum = 0;  // Greville abscissa, in pieces
-    for (std::size_t k = 1; k <= n; ++k)
-      sum += std::clamp(static_cast<double>(j + k) - static_cast<double>(n), 0.0, static_cast<double>(basis_.pieces()));
-    const double u = sum / static_cast<double>(n);
-    const std::size_t piece = std::min(basis_.pieces() - 1, static_cast<std::size_t>(u));
-    basis_.weights(piece, u - static_cast<double>(piece), 0, weights.data());
-    for (std::size_t k = 0; k <= n; ++k)
-      collocation(static_cast<Eigen::Index>(piece + k), static_cast<Eigen::Index>(j)) = weights[k];
-  }
-  const Eigen::PartialPivLU<Eigen::MatrixXd> factors(collocation);
+  std::array<double, limited_orders> apart = differences(law);
+  std::size_t order = 0;
+  while (order + 1 < limited_orders && std::isfinite(apart[order + 1])) ++order;
+  std::map<std::size_t, Eigen::PartialPivLU<Eigen::MatrixXd>> factors;  // of collocation matrices, by pieces
+  std::vector<double> weights;
   for (std::size_t section = 0; section < task_.sections(); ++section) {
     if (task_.is_given(section)) continue;  // the variables of a given section are 0
-    const Eigen::Map<const Eigen::VectorXd> residual(dual.residual.data() + section * size,
-                                                     static_cast<Eigen::Index>(size));
-    const double apart = reach(section, upper, law.peaks[1]), price = factors.solve(residual).lpNorm<1>();
-    if (apart < magnitude) {
-      const Eigen::Map<const Eigen::VectorXd> here(point_.x.data() + section * size, static_cast<Eigen::Index>(size));
-      bound += residual.dot(here) - price * apart;
-    } else {
-      bound -= price * magnitude;
+    const SectionBasis& basis = basis_.section(section);
+    const auto size = static_cast<Eigen::Index>(basis.size() - order);
+    auto known = factors.find(basis.pieces());
+    if (known == factors.end()) {
+      Eigen::MatrixXd collocation(size, size);
+      weights.resize(basis.size());
+      const std::vector<double> sites = basis.sites(order);
+      for (Eigen::Index j = 0; j < size; ++j) {
+        const double u = sites[static_cast<std::size_t>(j)] * static_cast<double>(basis.pieces());
+        const std::size_t piece = std::min(basis.pieces() - 1, static_cast<std::size_t>(u));
+        basis.weights(piece, u - static_cast<double>(piece), order, weights.data());
+        for (Eigen::Index k = 0; k < size; ++k) collocation(k, j) = weights[order + static_cast<std::size_t>(k)];
+      }
+      known = factors.emplace(basis.pieces(), collocation).first;
     }
+    const double* const residual = dual.residual.data() + basis_.first(section);
+    const double* const here = point_.x.data() + basis_.first(section);
+    const double length = lengths_[section];
+    const double reached = std::isfinite(apart[1]) ? std::min(apart[0], reach(section, apart[1])) : apart[0];
+    Eigen::VectorXd own(size);
+    for (std::size_t k = 0; k < basis.size(); ++k) {
+      bound += residual[k] * here[k];
+      const double by_coefficient = residual[k] / coefficient_of_variable(length, k);
+      if (k >= order)
+        own(static_cast<Eigen::Index>(k - order)) = by_coefficient;
+      else
+        bound -= std::abs(by_coefficient) * std::pow(length, k) * (k == 0 ? reached : apart[k]);
+    }
+    bound -= known->second.solve(own).lpNorm<1>() * std::pow(length, order) * (order == 0 ? reached : apart[order]);
   }
   for (std::size_t r = 1; r < limited_orders; ++r)
     if (counted(static_cast<int>(r))) {
-      bound -= std::max(0.0, -dual.residual[band_.border_index(peak_border_[r])]) * upper /
+      bound -= std::max(0.0, -dual.residual[band_.border_index(peak_border_[r])]) * law.objective /
                (task_.weight[r] * unit_[r]);  // peaks are not negative
       if (task_.largest_peak) break;
     }
@@ -171,7 +205,7 @@ void SplineProgram::settle_points() {
     if (!off || !band_.factor(weights)) return;
     std::fill(x.begin(), x.end(), 0.0);
     band_.add_transposed(push, none, x);
-    band_.solve(x, y);
+    solve_refined(band_, weights, x, y);
     for (std::size_t i = 0; i < band_.band_variables(); ++i) point_.x[i] += x[i];
   }
   settle_equalities();

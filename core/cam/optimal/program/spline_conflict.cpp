@@ -15,9 +15,19 @@ LawConflict SplineProgram::find_conflict(Progress& progress) {
     conflict.values = true;
     double most = 0;
     for (const double y : start_multipliers_) most = std::max(most, std::abs(y));
-    for (std::size_t i = 0; i < start_multipliers_.size(); ++i)
-      if (equality_condition_[i] != BorderedRow::none && std::abs(start_multipliers_[i]) > 1e-3 * most)
-        conflict.conditions.push_back(equality_condition_[i]);
+    for (std::size_t i = 0; i < start_multipliers_.size(); ++i) {
+      if (!(std::abs(start_multipliers_[i]) > 1e-3 * most)) continue;
+      if (equality_condition_[i] != BorderedRow::none) conflict.conditions.push_back(equality_condition_[i]);
+      if (i >= left_out_.size()) continue;
+      for (const std::size_t section : left_out_[i])
+        for (std::size_t c = 0; c < task_.conditions.size(); ++c)
+          if (const LawTask::Condition& each = task_.conditions[c];
+              each.point == section && each.range.fixed() && each.order < static_cast<int>(SectionBasis::states))
+            conflict.conditions.push_back(c);
+    }
+    std::sort(conflict.conditions.begin(), conflict.conditions.end());
+    conflict.conditions.erase(std::unique(conflict.conditions.begin(), conflict.conditions.end()),
+                              conflict.conditions.end());
     return conflict;
   }
   SplineResult law;

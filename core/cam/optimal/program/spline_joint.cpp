@@ -11,10 +11,10 @@ JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progr
   for (const LawSample& sample : samples) samples_.push_back({sample});
   // The law at the times as they are is the start: it keeps all rows, with peaks above its own.
   point_.x.assign(band_.band_variables() + band_.borders(), 0);
-  std::copy(reference_->coefficients.begin(), reference_->coefficients.end(), point_.x.begin());
+  std::copy(reference_x_.begin(), reference_x_.end(), point_.x.begin());
   point_.y.assign(band_.equality_side().size(), 0);
   SplineResult law;
-  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = first_units[r];
+  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = LawTask::usual_peaks[r];
   add_rows();
   evaluate(law, false);
   set_units(law.peaks);

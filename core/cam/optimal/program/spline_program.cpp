@@ -8,7 +8,7 @@
 
 namespace bahnwerk::cam {
 
-SplineProgram::SplineProgram(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
+SplineProgram::SplineProgram(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
                              const JointReference* reference)
     : task_(task), basis_(basis), reference_(reference), times_(times), breaks_(task.breaks(times)) {
   for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) lengths_.push_back(breaks_[i + 1] - breaks_[i]);
@@ -20,11 +20,37 @@ SplineProgram::SplineProgram(const LawTask& task, const SectionBasis& basis, con
       if (!task.given[s]) continue;
       floors_.push_back({s, r, task.given[s]->peak_at(r, lengths_[s])});
     }
+  begin_values_.resize(task.sections()), end_values_.resize(task.sections());
+  for (const LawTask::Condition& condition : task.conditions) {
+    if (!condition.range.fixed() || condition.order >= static_cast<int>(SectionBasis::states)) continue;
+    const auto order = static_cast<std::size_t>(condition.order);
+    const std::size_t before = task.section_before(condition.point), behind = task.section_behind(condition.point);
+    if (before != LawTask::none) end_values_[before][order] = condition.range.min;
+    if (behind != LawTask::none) begin_values_[behind][order] = condition.range.min;
+  }
   time_border_.assign(task.points(), BorderedRow::none);
-  if (reference)
+  if (reference) {
+    reference_x_ = variables(reference->coefficients);
     for (std::size_t i = 0; i < task.points(); ++i)
       if (reference->radius[i] > 0) time_border_[i] = band_.add_border(0);
+  }
   build_equalities();
+}
+
+std::vector<double> SplineProgram::coefficients(const std::vector<double>& x) const {
+  std::vector<double> out(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(basis_.size()));
+  for (std::size_t s = 0; s < task_.sections(); ++s)
+    for (std::size_t i = basis_.first(s); i < basis_.first(s + 1); ++i)
+      out[i] *= coefficient_of_variable(lengths_[s], i - basis_.first(s));
+  return out;
+}
+
+std::vector<double> SplineProgram::variables(const std::vector<double>& coefficients) const {
+  std::vector<double> out = coefficients;
+  for (std::size_t s = 0; s < task_.sections(); ++s)
+    for (std::size_t i = basis_.first(s); i < basis_.first(s + 1); ++i)
+      out[i] /= coefficient_of_variable(lengths_[s], i - basis_.first(s));
+  return out;
 }
 
 SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progress,
@@ -122,7 +148,7 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
       result.feasible &&
       result.objective - result.lower <= 1.5 * options.gap * std::max(result.objective, 1e-3 * first_objective) &&
       result.violation <= options.violation;
-  result.coefficients.assign(point_.x.begin(), point_.x.begin() + static_cast<std::ptrdiff_t>(band_.band_variables()));
+  result.coefficients = coefficients(point_.x);
   for (std::size_t i = initial_; i < samples_.size(); ++i)
     if (samples_[i].slack < 0.05) result.samples.push_back(samples_[i].sample);
   return result;

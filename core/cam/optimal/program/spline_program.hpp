@@ -1,20 +1,24 @@
 #pragma once
 /// The least J = Σ w_r max |s^(r)| over splines of one degree with fixed angles: a semi-infinite linear program.
 ///
-/// Variables are B-spline coefficients by section and one peak per order. Values and continuity are equalities, ranges
-/// at points are rows, peaks and section limits are rows at sample points that are exchanged: each round adds the
-/// extrema of its law. The objective of a law is its true one (enclosures); the lower bound is that of the dual of a
-/// program with some sample points, hence valid for all of them. Rounds end when both agree. Cost: linear in the number
-/// of sections; some 5 to 8 rounds of 5 to 15 iterations.
+/// Variables are the coefficients of the sections (section_basis.hpp) and one peak per order. Values and continuity are
+/// equalities, ranges at points are rows, peaks and section limits are rows at sample points that are exchanged: each
+/// round adds the extrema of its law. The objective of a law is its true one (enclosures); the lower bound is that of
+/// the dual of a program with some sample points, hence valid for all of them. Rounds end when both agree. Cost: linear
+/// in the number of sections; some 5 to 8 rounds of 5 to 15 iterations.
+///
+/// Variables are scaled by coefficient_of_variable(): in short sections they are derivatives themselves.
 ///
 /// A given section keeps its place among the variables, which are 0 there: its ends are conditions of its neighbours,
 /// its peaks lower limits of the shared peaks.
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/cam/optimal/law_task.hpp"
-#include "core/cam/optimal/program/section_basis.hpp"
+#include "core/cam/optimal/program/law_basis.hpp"
 #include "core/numeric/interior_point/bordered_band.hpp"
 
 namespace bahnwerk {
@@ -34,7 +38,7 @@ struct SplineResult {
   bool feasible = false;             ///< values and continuity do not contradict each other, limits hold
   bool converged = false;            ///< objective and lower agree
   std::vector<double> breaks;        ///< times at which sections begin, and the end; the task's units
-  std::vector<double> coefficients;  ///< SectionBasis::size() per section
+  std::vector<double> coefficients;  ///< those of LawBasis
   double objective = 0;              ///< J of the true peaks
   double lower = 0;                  ///< no spline of this degree, with these angles, has less
   std::array<double, limited_orders> peaks{};
@@ -45,7 +49,7 @@ struct SplineResult {
 };
 
 struct SplineOptions {
-  double gap = 1e-8;  ///< (J − lower bound)/J
+  double gap = 2e-9;  ///< (J − lower bound)/J
   double violation = 1e-10;
   int max_rounds = 25;
 };
@@ -72,7 +76,7 @@ struct LawConflict {
 class SplineProgram {
  public:
   /// `reference` outlives the program, which then serves joint_step() alone.
-  SplineProgram(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
+  SplineProgram(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
                 const JointReference* reference = nullptr);
   /// Finds the least violation of ranges and limits, with Farkas' multipliers. If it is next to nothing, a law exists.
   LawConflict find_conflict(Progress& progress);
@@ -80,9 +84,6 @@ class SplineProgram {
   SplineResult solve(const SplineOptions& options, Progress& progress, const std::vector<LawSample>* samples = nullptr);
 
  private:
-  /// Peaks of a rest-to-rest law over the mean section: units until a law is known.
-  static constexpr double first_units[limited_orders] = {1, 2, 6, 60};
-
   void build_equalities();
   bool find_start();
   void add_rows();
@@ -101,21 +102,36 @@ class SplineProgram {
   bool pinned(const LawSample& sample) const;
   void evaluate(SplineResult& result, bool enclosed);
   double lower_bound(const SplineResult& law) const;
-  double reach(std::size_t section, double upper, double peak_velocity) const;
-  std::vector<double> derivative(const double* x, std::size_t section, std::size_t piece, int order) const;
+  std::array<double, limited_orders> differences(const SplineResult& law) const;
+  double reach(std::size_t section, double speed) const;
+  void law_weights(std::size_t section, std::size_t piece, double v, int order, std::vector<double>& out) const;
+  double law_weights_from_end(std::size_t section, std::size_t piece, double v, int order,
+                              std::vector<double>& out) const;
+  bool known_at(bool end, std::size_t section, int order) const;
+  double limit_weights(const LawSample& at, std::vector<double>& out) const;
+  std::vector<double> derivative(std::size_t section, std::size_t piece, int order) const;
+  std::vector<double> coefficients(const std::vector<double>& x) const;
+  std::vector<double> variables(const std::vector<double>& coefficients) const;
   bool counted(int order) const { return task_.weight[static_cast<std::size_t>(order)] > 0; }
 
   void set_units(const std::array<double, limited_orders>& peaks);
-  /// Adds to `out` how a value Σ weights · coefficients / length^order changes with the times of the section's ends.
-  void add_time_terms(std::size_t section, std::size_t first, const std::vector<double>& weights, int order,
-                      double factor, std::vector<BorderedRow::Term>& out) const;
+  void set_row(std::size_t section, const std::vector<double>& weights, BorderedRow& row) const;
+  /// Adds to `out` how a value Σ weights · variables of an order changes with the times of the section's ends where the
+  /// law is stretched.
+  void add_time_terms(std::size_t section, const std::vector<double>& weights, int order, double factor,
+                      std::vector<BorderedRow::Term>& out) const;
 
-  std::size_t give_ = BorderedRow::none;         // shared variable of find_conflict: what rows give way
-  std::vector<std::size_t> equality_condition_;  // condition of each equality, or none
+  std::size_t give_ = BorderedRow::none;            // shared variable of find_conflict: what rows give way
+  std::vector<std::size_t> equality_condition_;     // condition of each equality, or none
+  std::vector<std::vector<std::size_t>> left_out_;  // by equality: sections whose begin's numbers were left out
   const LawTask& task_;
-  const SectionBasis& basis_;
+  const LawBasis& basis_;
   const JointReference* reference_;
+  std::vector<double> reference_x_;  // the reference in variables
   std::vector<double> times_;
+  /// Numbers that points ask for at the begin and at the end of sections, by order.
+  using Numbers = std::array<std::optional<double>, SectionBasis::states>;
+  std::vector<Numbers> begin_values_, end_values_;
   std::vector<std::size_t> time_border_;  // shared variable of each point's time
   std::vector<double> breaks_, lengths_;
   BorderedBand band_;

@@ -1,17 +1,87 @@
 /// The rows of a program: values, continuity, ranges, section limits and peaks at sample points.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/cam/optimal/program/spline_program.hpp"
 #include "core/cam/optimal/vibration.hpp"
 
 namespace bahnwerk::cam {
 
-void SplineProgram::add_time_terms(std::size_t section, std::size_t first, const std::vector<double>& weights,
-                                   int order, double factor, std::vector<BorderedRow::Term>& out) const {
+/// Writes the weights with which the variables of a section enter s^(order) at v of a piece.
+void SplineProgram::law_weights(std::size_t section, std::size_t piece, double v, int order,
+                                std::vector<double>& out) const {
+  const SectionBasis& basis = basis_.section(section);
+  out.resize(basis.size());
+  basis.weights(piece, v, static_cast<std::size_t>(order), out.data());
+  const double length = lengths_[section], power = std::pow(length, -order);
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (out[k] != 0) out[k] *= power * coefficient_of_variable(length, k);
+}
+
+/// Returns whether the derivatives from an order on are numbers at an end of a section.
+bool SplineProgram::known_at(bool end, std::size_t section, int order) const {
+  const Numbers& values = (end ? end_values_ : begin_values_)[section];
+  return std::all_of(values.begin() + order, values.end(), [](const auto& value) { return value.has_value(); });
+}
+
+/// Writes the weights of s^(order) from the section's end, where the states are numbers: seen backwards the section is
+/// one of the same basis. Returns what these numbers contribute. Near the end the weights are as small as the value;
+/// those from the begin would only cancel.
+double SplineProgram::law_weights_from_end(std::size_t section, std::size_t piece, double v, int order,
+                                           std::vector<double>& out) const {
+  const SectionBasis& basis = basis_.section(section);
+  std::vector<double> mirrored(basis.size());
+  basis.weights(basis.pieces() - 1 - piece, 1 - v, static_cast<std::size_t>(order), mirrored.data());
+  const double length = lengths_[section], sign = order % 2 == 0 ? 1 : -1;
+  const double power = sign * std::pow(length, -order);
+  out.assign(basis.size(), 0);
+  double known = 0;
+  for (auto k = static_cast<std::size_t>(order); k < SectionBasis::states; ++k)
+    known += power * (k % 2 == 0 ? 1 : -1) * mirrored[k] * std::pow(length, k) * *end_values_[section][k];
+  for (std::size_t k = SectionBasis::states; k < basis.size(); ++k)
+    if (mirrored[k] != 0)
+      out[SectionBasis::states + basis.size() - 1 - k] = -power * mirrored[k] * coefficient_of_variable(length, k);
+  return known;
+}
+
+/// Writes the weights of a sample of a section's limit. Where an end of the section has numbers, these are left out of
+/// the weights and returned: what is left is as small near that end as the value's distance from them, and the row can
+/// be scaled to say what the limit asks of the derivatives that are free.
+double SplineProgram::limit_weights(const LawSample& at, std::vector<double>& out) const {
+  const double place =
+      (static_cast<double>(at.piece) + at.v) / static_cast<double>(basis_.section(at.section).pieces());
+  if (reference_ || at.order >= static_cast<int>(SectionBasis::states) ||
+      !known_at(place > 0.5, at.section, at.order)) {
+    law_weights(at.section, at.piece, at.v, at.order, out);
+    return 0;
+  }
+  if (place > 0.5) return law_weights_from_end(at.section, at.piece, at.v, at.order, out);
+  law_weights(at.section, at.piece, at.v, at.order, out);
+  const double length = lengths_[at.section];
+  double known = 0;
+  for (std::size_t k = 0; k < SectionBasis::states; ++k) {
+    if (k >= static_cast<std::size_t>(at.order))
+      known += out[k] / coefficient_of_variable(length, k) * std::pow(length, k) * *begin_values_[at.section][k];
+    out[k] = 0;
+  }
+  return known;
+}
+
+/// Sets variables and weights of a row without the zeros at both ends.
+void SplineProgram::set_row(std::size_t section, const std::vector<double>& weights, BorderedRow& row) const {
+  std::size_t from = 0, to = weights.size();
+  while (to > 1 && weights[to - 1] == 0) --to;
+  while (from + 1 < to && weights[from] == 0) ++from;
+  row.first = basis_.first(section) + from;
+  row.weights = std::span(weights).subspan(from, to - from);
+}
+
+void SplineProgram::add_time_terms(std::size_t section, const std::vector<double>& weights, int order, double factor,
+                                   std::vector<BorderedRow::Term>& out) const {
   if (!reference_ || order == 0) return;
   double value = 0;
-  for (std::size_t k = 0; k < weights.size(); ++k) value += weights[k] * reference_->coefficients[first + k];
+  for (std::size_t k = 0; k < weights.size(); ++k) value += weights[k] * reference_x_[basis_.first(section) + k];
   const double slope = -factor * value * order / lengths_[section];  // change with the section's length
   const std::size_t end = task_.periodic ? task_.end_point(section) : section + 1;
   if (time_border_[section] != BorderedRow::none) out.push_back({time_border_[section], -slope});
@@ -19,18 +89,28 @@ void SplineProgram::add_time_terms(std::size_t section, std::size_t first, const
 }
 
 void SplineProgram::build_equalities() {
-  const std::size_t n = basis_.degree(), size = basis_.size(), sections = task_.sections();
-  std::vector<double> weights(n + 1);
+  const std::size_t n = basis_.degree(), sections = task_.sections();
+  std::vector<double> weights;
   std::vector<std::pair<std::size_t, double>> terms;
   std::vector<BorderedRow::Term> times;
-  // Appends derivative `order` at the begin or the end of a section, times `sign`.
-  const auto append = [&](std::size_t section, bool end, int order, double sign) {
-    const std::size_t piece = end ? basis_.pieces() - 1 : 0;
-    basis_.weights(piece, end ? 1 : 0, static_cast<std::size_t>(order), weights.data());
-    const double scale = sign / std::pow(lengths_[section], order);
-    for (std::size_t k = 0; k <= n; ++k)
-      if (weights[k] != 0) terms.emplace_back(section * size + piece + k, scale * weights[k]);
-    add_time_terms(section, section * size + piece, weights, order, scale, times);
+  // Appends derivative `order` at the begin or the end of a section, times `sign`. Returns what the numbers at the
+  // section's begin contribute where `known` leaves them out: in a short section the others are next to nothing beside
+  // them, and the row is scaled to the others.
+  const auto append = [&](std::size_t section, bool end, int order, double sign, bool known) {
+    law_weights(section, end ? basis_.section(section).pieces() - 1 : 0, end ? 1 : 0, order, weights);
+    double constant = 0;
+    left_out_.resize(band_.equality_side().size() + 1);
+    if (known && !reference_) left_out_.back().push_back(section);
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      if (weights[k] == 0) continue;
+      if (known && !reference_ && k < SectionBasis::states && begin_values_[section][k])
+        constant += sign * weights[k] * *begin_values_[section][k] * std::pow(lengths_[section], k) /
+                    coefficient_of_variable(lengths_[section], k);
+      else
+        terms.emplace_back(basis_.first(section) + k, sign * weights[k]);
+    }
+    add_time_terms(section, weights, order, sign, times);
+    return constant;
   };
   const auto scaled = [&](double side) {
     double most = 0;
@@ -46,13 +126,12 @@ void SplineProgram::build_equalities() {
     for (int r = 0; r <= std::min(task_.continuity[point], static_cast<int>(n)); ++r) {
       terms.clear();
       times.clear();
-      append(left, true, r, 1);
-      append(right, false, r, -1);
-      scaled(0);
+      const double known = append(left, true, r, 1, true) + append(right, false, r, -1, true);
+      const double side = scaled(-known);
       if (far)
-        band_.add_far_equality(terms, 0, times);
+        band_.add_far_equality(terms, side, times);
       else
-        band_.add_equality(terms, 0, times);
+        band_.add_equality(terms, side, times);
     }
   };
   // Conditions at a point for the section that begins there, or for the one that ends there.
@@ -66,8 +145,8 @@ void SplineProgram::build_equalities() {
       }
       terms.clear();
       times.clear();
-      append(section, end, condition.order, 1);
-      const double side = scaled(condition.range.min);
+      const double known = append(section, end, condition.order, 1, end);
+      const double side = scaled(condition.range.min - known);
       equality_condition_.resize(band_.equality_side().size(), BorderedRow::none);
       band_.add_equality(terms, side, times);
       equality_condition_.push_back(c);
@@ -82,32 +161,29 @@ void SplineProgram::build_equalities() {
       conditions(point, point - 1, true);
     if (last) continue;
     if (task_.is_given(point)) {
-      for (std::size_t k = 0; k < size; ++k) {
+      for (std::size_t k = basis_.first(point); k < basis_.first(point + 1); ++k) {
         const std::pair<std::size_t, double> variable[] = {{band_.add_variables(1), 1}};
         band_.add_equality(variable, 0);
       }
       continue;
     }
-    band_.add_variables(size);
-    // A limit that is a value holds where as many values say so as the derivative has coefficients.
+    band_.add_variables(basis_.section(point).size());
+    // A limit that is a value is the coefficient of its order; those of higher orders are 0.
     for (int r = 0; r < limited_orders; ++r) {
       const Range& limit = task_.limits[point][static_cast<std::size_t>(r)];
       if (!limit.fixed()) continue;
-      const std::size_t count = size - std::min(size, static_cast<std::size_t>(r));
-      for (std::size_t k = 0; k < count; ++k) {
-        const double u =
-            (static_cast<double>(k) + 0.5) / static_cast<double>(count) * static_cast<double>(basis_.pieces());
-        const std::size_t piece = std::min(static_cast<std::size_t>(u), basis_.pieces() - 1);
-        basis_.weights(piece, u - static_cast<double>(piece), static_cast<std::size_t>(r), weights.data());
-        const double scale = 1 / std::pow(lengths_[point], r);
-        terms.clear();
+      for (std::size_t k = static_cast<std::size_t>(r); k < basis_.section(point).size(); ++k) {
+        terms.assign(1, {basis_.first(point) + k, 1});
         times.clear();
-        for (double& weight : weights) weight *= scale;
-        for (std::size_t i = 0; i <= n; ++i)
-          if (weights[i] != 0) terms.emplace_back(point * size + piece + i, weights[i]);
-        add_time_terms(point, point * size + piece, weights, r, 1, times);
-        const double side = scaled(limit.min);
-        band_.add_equality(terms, side, times);
+        const double power = std::pow(lengths_[point], r) / coefficient_of_variable(lengths_[point], k);
+        const bool own = SectionBasis::order_of(k) == static_cast<std::size_t>(r);
+        if (own && reference_ && limit.min != 0) {  // the variable is the derivative times length^r
+          const double slope = limit.min * power * r / lengths_[point];
+          const std::size_t end = task_.periodic ? task_.end_point(point) : point + 1;
+          if (time_border_[point] != BorderedRow::none) times.push_back({time_border_[point], slope});
+          if (time_border_[end] != BorderedRow::none) times.push_back({time_border_[end], -slope});
+        }
+        band_.add_equality(terms, own ? limit.min * power : 0, times);
       }
     }
   }
@@ -160,7 +236,8 @@ bool SplineProgram::shared_begin(const LawSample& sample) const {
 
 /// Returns whether the value there is a condition: a row without slack would leave the program without interior.
 bool SplineProgram::pinned(const LawSample& sample) const {
-  const bool begin = sample.piece == 0 && sample.v == 0, end = sample.piece + 1 == basis_.pieces() && sample.v == 1;
+  const bool begin = sample.piece == 0 && sample.v == 0,
+             end = sample.piece + 1 == basis_.section(sample.section).pieces() && sample.v == 1;
   if (!begin && !end) return false;
 
   const std::size_t at = begin ? sample.section : task_.periodic ? task_.end_point(sample.section) : sample.section + 1;
@@ -189,63 +266,57 @@ void SplineProgram::add_floors() {
 
 void SplineProgram::add_rows() {
   band_.clear_rows();
-  const std::size_t n = basis_.degree(), size = basis_.size();
-  std::vector<double> weights(n + 1);
+  std::vector<double> weights;
   std::vector<BorderedRow::Term> times;
+  // Adds a derivative at an end of a section, in parts of its largest weight.
+  const auto add_end = [&](std::size_t section, bool end, int order, double sign, Range range) {
+    law_weights(section, end ? basis_.section(section).pieces() - 1 : 0, end ? 1 : 0, order, weights);
+    double most = 0;
+    for (const double weight : weights) most = std::max(most, std::abs(weight));
+    const double scale = most > 0 ? 1 / most : 1;
+    for (double& weight : weights) weight *= sign * scale;
+    BorderedRow row;
+    set_row(section, weights, row);
+    times.clear();
+    add_time_terms(section, weights, order, 1, times);
+    row.border = times;
+    row.lower = range.min * scale;
+    row.upper = range.max * scale;
+    row.elastic = give_;
+    band_.add_row(row);
+  };
   for (const std::size_t c : ranges_) {
     const LawTask::Condition& condition = task_.conditions[c];
     const bool last = condition.point == task_.sections();
-    const std::size_t section = last ? condition.point - 1 : condition.point, piece = last ? basis_.pieces() - 1 : 0;
-    basis_.weights(piece, last ? 1 : 0, static_cast<std::size_t>(condition.order), weights.data());
-    double most = 0;
-    for (const double weight : weights) most = std::max(most, std::abs(weight));
-    const double scale = most > 0 ? 1 / most : 1, power = std::pow(lengths_[section], condition.order);
-    for (double& weight : weights) weight *= scale;
-    BorderedRow row;
-    row.first = section * size + piece;
-    times.clear();
-    add_time_terms(section, row.first, weights, condition.order, 1, times);
-    row.border = times;
-    row.weights = weights;
-    row.lower = condition.range.min * power * scale;
-    row.upper = condition.range.max * power * scale;
-    row.elastic = give_;
-    band_.add_row(row);
+    add_end(last ? condition.point - 1 : condition.point, last, condition.order, 1, condition.range);
   }
-  for (const Contact& contact : contacts_) {
-    const std::size_t piece = contact.end ? basis_.pieces() - 1 : 0;
-    basis_.weights(piece, contact.end ? 1 : 0, static_cast<std::size_t>(contact.order), weights.data());
-    double most = 0;
-    for (const double weight : weights) most = std::max(most, std::abs(weight));
-    for (double& weight : weights) weight *= contact.sign / most;
-    BorderedRow row;
-    row.first = contact.section * size + piece;
-    times.clear();
-    add_time_terms(contact.section, row.first, weights, contact.order, 1, times);
-    row.border = times;
-    row.weights = weights;
-    row.lower = 0;
-    row.elastic = give_;
-    band_.add_row(row);
-  }
+  for (const Contact& contact : contacts_)
+    add_end(contact.section, contact.end, contact.order, contact.sign, {0, BorderedRow::unlimited});
   add_floors();
   for (const Sampled& sampled : samples_) {
     const LawSample& at = sampled.sample;
     const auto r = static_cast<std::size_t>(at.order);
-    basis_.weights(at.piece, at.v, r, weights.data());
-    const double scale = 1 / (std::pow(lengths_[at.section], at.order) * unit_[r]);
-    for (double& weight : weights) weight *= scale;
+    double known = 0, scale = unit_[r];
+    if (at.limit) {
+      known = limit_weights(at, weights);
+      double most = 0;
+      for (const double weight : weights) most = std::max(most, std::abs(weight));
+      if (most > 0) scale = std::min(scale, most);
+    } else {
+      law_weights(at.section, at.piece, at.v, at.order, weights);
+    }
+    for (double& weight : weights) weight /= scale;
     BorderedRow row;
-    row.first = at.section * size + at.piece;
+    set_row(at.section, weights, row);
     times.clear();
-    add_time_terms(at.section, row.first, weights, at.order, 1, times);
+    add_time_terms(at.section, weights, at.order, 1, times);
     row.border = times;
-    row.weights = weights;
     if (at.limit) {
       const Range& limit = task_.limits[at.section][r];
-      row.lower = limit.min / unit_[r];
-      row.upper = limit.max / unit_[r];
+      row.lower = (limit.min - known) / scale;
+      row.upper = (limit.max - known) / scale;
       row.elastic = give_;
+      row.elastic_weight = unit_[r] / scale;
     } else {
       row.lower = row.upper = 0;
       row.elastic = peak_border_[r];

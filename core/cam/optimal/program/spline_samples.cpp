@@ -26,28 +26,29 @@ void SplineProgram::initial_samples() {
       const bool peak = r > 0 && counted(r), limited = !limit.free() && !limit.fixed();
       if (!peak && !limited) continue;
       const std::size_t degree = n > static_cast<std::size_t>(r) ? n - static_cast<std::size_t>(r) : 0;
-      const std::size_t count = degree + 2;
-      for (std::size_t piece = 0; piece < basis_.pieces(); ++piece)
+      const std::size_t count = degree > 0 ? degree + 2 : 1;
+      for (std::size_t piece = 0; piece < basis_.section(section).pieces(); ++piece)
         for (std::size_t k = 0; k < count; ++k) {
-          const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+          const double share = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.5;
           const double v = 0.5 - 0.5 * std::cos(std::numbers::pi * share);
           // Where pieces meet, one of them has the sample.
-          if (k + 1 == count && piece + 1 < basis_.pieces() && degree > 0) continue;
+          if (k + 1 == count && piece + 1 < basis_.section(section).pieces() && degree > 0) continue;
           if (peak && !shared_begin({section, piece, v, r, false})) samples_.push_back({{section, piece, v, r, false}});
           if (limited && !pinned({section, piece, v, r, true})) samples_.push_back({{section, piece, v, r, true}});
         }
     }
 }
 
-std::vector<double> SplineProgram::derivative(const double* x, std::size_t section, std::size_t piece,
-                                              int order) const {
-  std::vector<double> b(basis_.degree() + 1);
-  basis_.bernstein(piece, x + section * basis_.size(), b.data());
-  const double scale = static_cast<double>(basis_.pieces()) / lengths_[section];
-  for (int r = 0; r < order; ++r) {
-    differentiate_bernstein(b);
-    for (double& value : b) value *= scale;
-  }
+/// Returns the Bernstein coefficients of s^(order) on a piece of the current law; order ≤ 3.
+std::vector<double> SplineProgram::derivative(std::size_t section, std::size_t piece, int order) const {
+  const SectionBasis& basis = basis_.section(section);
+  std::vector<double> c(point_.x.begin() + static_cast<std::ptrdiff_t>(basis_.first(section)),
+                        point_.x.begin() + static_cast<std::ptrdiff_t>(basis_.first(section + 1)));
+  for (std::size_t k = 0; k < c.size(); ++k) c[k] *= coefficient_of_variable(lengths_[section], k);
+  std::vector<double> b(basis.degree() - static_cast<std::size_t>(order) + 1);
+  basis.bernstein(piece, c.data(), static_cast<std::size_t>(order), b.data());
+  const double power = std::pow(lengths_[section], -order);
+  for (double& value : b) value *= power;
   return b;
 }
 
@@ -67,8 +68,8 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
       const Range& limit = task_.limits[section][r];
       const bool peak = order > 0 && counted(order);
       if (!peak && limit.free()) continue;
-      for (std::size_t piece = 0; piece < basis_.pieces(); ++piece) {
-        const std::vector<double> b = derivative(point_.x.data(), section, piece, order);
+      for (std::size_t piece = 0; piece < basis_.section(section).pieces(); ++piece) {
+        const std::vector<double> b = derivative(section, piece, order);
         double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
         if (enclosed) {
           if (peak) peaks[r] = std::max(peaks[r], greatest_magnitude(b).value);
@@ -97,7 +98,7 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
               found_.push_back(limit_sample);
               // Near an end of the section each further extremum is nearer by half: samples are placed ahead of it.
               const bool begins = piece == 0 && each.at > 0 && each.at < 0.1;
-              const bool ends = piece + 1 == basis_.pieces() && each.at < 1 && each.at > 0.9;
+              const bool ends = piece + 1 == basis_.section(section).pieces() && each.at < 1 && each.at > 0.9;
               for (const double share : {0.25, 0.0625})
                 if (begins || ends)
                   found_.push_back({section, piece, begins ? share * each.at : 1 - share * (1 - each.at), order, true});
@@ -152,8 +153,9 @@ void SplineProgram::exchange() {
     return std::tuple(group(x), place(x)) < std::tuple(group(y), place(y));
   });
   const auto add = [&](LawSample sample, double at) {
-    at = std::clamp(at, 0.0, static_cast<double>(basis_.pieces()));
-    sample.piece = std::min(static_cast<std::size_t>(at), basis_.pieces() - 1);
+    const std::size_t pieces = basis_.section(sample.section).pieces();
+    at = std::clamp(at, 0.0, static_cast<double>(pieces));
+    sample.piece = std::min(static_cast<std::size_t>(at), pieces - 1);
     sample.v = at - static_cast<double>(sample.piece);
     found_.push_back(sample);
   };

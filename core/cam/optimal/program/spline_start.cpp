@@ -9,20 +9,20 @@ namespace bahnwerk::cam {
 /// Factor that keeps the squares of rows to the order of the equalities.
 double SplineProgram::row_weight() const {
   double steepest = 1;
-  std::vector<double> magnitudes(basis_.degree() + 1);
-  for (const int order : {1, 2, 3}) {
-    basis_.weights(0, 0, static_cast<std::size_t>(order), magnitudes.data());
-    for (const double length : lengths_)
-      for (const double weight : magnitudes)
-        steepest =
-            std::max(steepest, std::abs(weight) / std::pow(length, order) / unit_[static_cast<std::size_t>(order)]);
-  }
+  std::vector<double> weights;
+  for (const int order : {1, 2, 3})
+    for (std::size_t section = 0; section < task_.sections(); ++section)
+      for (const double v : {0.0, 1.0}) {
+        law_weights(section, v == 0 ? 0 : basis_.section(section).pieces() - 1, v, order, weights);
+        for (const double weight : weights)
+          steepest = std::max(steepest, std::abs(weight) / unit_[static_cast<std::size_t>(order)]);
+      }
   return 1 / (steepest * steepest);
 }
 
 /// Finds the smoothest law with the values and continuity, ranges in their middle, in the sense of least squares.
 bool SplineProgram::find_start() {
-  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = first_units[r];
+  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = LawTask::usual_peaks[r];
   add_rows();
   const std::size_t sides = band_.inequality_side().size();
   std::vector<double> weights(sides, row_weight()), target(sides, 0);
@@ -61,19 +61,19 @@ bool SplineProgram::find_start() {
 }
 
 void SplineProgram::set_units(const std::array<double, limited_orders>& peaks) {
-  unit_[0] = first_units[0];
+  unit_[0] = LawTask::usual_peaks[0];
   if (task_.largest_peak) {  // the limits themselves
     unit_objective_ = 1;
     for (std::size_t r = 1; r < limited_orders; ++r)
-      unit_[r] = counted(static_cast<int>(r)) ? 1 / task_.weight[r] : first_units[r];
+      unit_[r] = counted(static_cast<int>(r)) ? 1 / task_.weight[r] : LawTask::usual_peaks[r];
     band_.set_border_cost(0, 1);
     return;
   }
   unit_objective_ = 0;
   for (std::size_t r = 1; r < limited_orders; ++r) {
-    unit_[r] = first_units[r];
+    unit_[r] = LawTask::usual_peaks[r];
     if (!counted(static_cast<int>(r))) continue;
-    unit_[r] = std::max(peaks[r], 1e-6 * first_units[r]);
+    unit_[r] = std::max(peaks[r], 1e-4 * LawTask::usual_peaks[r]);
     unit_objective_ += task_.weight[r] * unit_[r];
   }
   for (std::size_t r = 1; r < limited_orders; ++r)

@@ -29,9 +29,11 @@ double certified_bound(RelaxationProgram& program, const LawTask& task, const Kn
     largest[0] = position > 0 ? position : 1e3 * largest[0];
     for (std::size_t i = 0; i < band.band_variables(); ++i) bound -= std::abs(value.residual[i]) * largest[i % 3];
     for (std::size_t r = 1; r < limited_orders; ++r)
-      if (program.counted(r))
+      if (program.counted(r)) {
         bound -= std::max(0.0, -value.residual[program.peak_variable(r)]) * upper /
                  (task.weight[r] * program.peak_unit(r));  // peaks are not negative
+        if (task.largest_peak) break;
+      }
     if (std::isfinite(bound)) best = std::max(best, bound * program.objective_unit());
     std::vector<double> y(point.y.size()), gx(point.z.size()), ex(point.y.size());
     for (double& each : value.residual) each = -each;
@@ -65,7 +67,7 @@ Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& l
           law.value(node.time, r, node.before) / program.node_unit(static_cast<std::size_t>(r));
     }
   for (std::size_t r = 1; r < limited_orders; ++r)
-    if (program.counted(r)) point.x[program.peak_variable(r)] = above;
+    if (program.counted(r)) point.x[program.peak_variable(r)] = above * (task.largest_peak ? law.objective() : 1);
   point.y.assign(band.equality_side().size(), 0);
   std::vector<double> gx(g.size()), ex(point.y.size());
   band.multiply(point.x, gx, ex);

@@ -39,11 +39,14 @@ RelaxationProgram::RelaxationProgram(const LawTask& task, const std::vector<Rang
     : task_(task), ranges_(ranges), grid_(lay_grid(task, ranges, cells)) {
   for (std::size_t r = 1; r < limited_orders; ++r) {
     counted_[r] = task.weight[r] > 0;
-    unit_[r] = std::max(law.peak(static_cast<int>(r)), 1e-12);
+    unit_[r] = std::max(law.peak(static_cast<int>(r)), 1e-4 * LawTask::usual_peaks[r]);
+    if (counted_[r] && task.largest_peak) unit_[r] = 1 / task.weight[r];  // the limits themselves
     if (counted_[r]) scale_ += task.weight[r] * unit_[r];
   }
+  if (task.largest_peak) scale_ = 1;
   for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted_[r]) border_[r] = band_.add_border(task.weight[r] * unit_[r] / scale_);
+    if (counted_[r])
+      border_[r] = task.largest_peak && band_.borders() > 0 ? 0 : band_.add_border(task.weight[r] * unit_[r] / scale_);
   add_nodes();
   add_floors();
   add_points();

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/cam/optimal/extrema.hpp"
 
 namespace bahnwerk::cam {
 
-KnownLaw::KnownLaw(const LawTask& task, const SectionBasis& basis, const SplineResult& spline)
+KnownLaw::KnownLaw(const LawTask& task, const LawBasis& basis, const SplineResult& spline)
     : points_(task.points()),
       cycle_(task.cycle),
       periodic_(task.periodic),
@@ -24,9 +25,10 @@ KnownLaw::KnownLaw(const LawTask& task, const SectionBasis& basis, const SplineR
             {begin + whole * given.breaks[i], whole * (given.breaks[i + 1] - given.breaks[i]), given.bernstein[i]});
       continue;
     }
-    const double length = (spline.breaks[section + 1] - spline.breaks[section]) / static_cast<double>(basis.pieces());
-    for (std::size_t piece = 0; piece < basis.pieces(); ++piece) {
-      basis.bernstein(piece, spline.coefficients.data() + section * basis.size(), b.data());
+    const SectionBasis& own = basis.section(section);
+    const double length = (spline.breaks[section + 1] - spline.breaks[section]) / static_cast<double>(own.pieces());
+    for (std::size_t piece = 0; piece < own.pieces(); ++piece) {
+      own.bernstein(piece, spline.coefficients.data() + basis.first(section), 0, b.data());
       pieces_.push_back({spline.breaks[section] + static_cast<double>(piece) * length, length, b});
     }
   }
@@ -36,6 +38,18 @@ KnownLaw::KnownLaw(const LawTask& task, const SectionBasis& basis, const SplineR
       for (const double v : {0.0, 0.25, 0.5, 0.75, 1.0})
         peaks_[static_cast<std::size_t>(r)] =
             std::max(peaks_[static_cast<std::size_t>(r)], std::abs(value(piece.begin + v * piece.length, r, v == 1.0)));
+  }
+}
+
+KnownLaw::KnownLaw(const LawTask& task, const CamLaw& law, const std::vector<double>& at, double objective)
+    : cycle_(task.cycle), periodic_(task.periodic), objective_(objective), peaks_{} {
+  for (const double time : at) points_.push_back({time, time});
+  for (int r = 1; r < limited_orders; ++r) peaks_[static_cast<std::size_t>(r)] = law.peak(r).value * task.to_task(r);
+  for (std::size_t i = 0; i < law.pieces(); ++i) {
+    std::vector<double> b = law.piece(i).bernstein;
+    for (double& each : b) each = (each - task.origin) / task.unit_position;
+    pieces_.push_back(
+        {(law.breaks()[i] - law.begin()) / task.unit_time, law.piece_duration(i) / task.unit_time, std::move(b)});
   }
 }
 

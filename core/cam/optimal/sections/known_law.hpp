@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/cam/cam_law.hpp"
 #include "core/cam/optimal/law_task.hpp"
 #include "core/cam/optimal/program/spline_program.hpp"
 
@@ -11,7 +12,9 @@ namespace bahnwerk::cam {
 /// A law as node values: a start for the program and an upper bound of what its bound can be.
 class KnownLaw {
  public:
-  KnownLaw(const LawTask& task, const SectionBasis& basis, const SplineResult& spline);
+  KnownLaw(const LawTask& task, const LawBasis& basis, const SplineResult& spline);
+  /// `at`: the times of the law's points.
+  KnownLaw(const LawTask& task, const CamLaw& law, const std::vector<double>& at, double objective);
   double objective() const { return objective_; }
   const std::vector<Range>& points() const { return points_; }  ///< times of its points, as ranges without width
   double peak(int order) const { return peaks_[static_cast<std::size_t>(order)]; }

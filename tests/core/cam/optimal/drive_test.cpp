@@ -26,9 +26,9 @@ TEST(Drive, JerkAloneAndDegreeFiveGiveTheCubeRoot) {
   problem.degree = 5;
   const ShortestCycle cycle = find_shortest_cycle(problem, progress);
   EXPECT_NEAR(cycle.duration, std::cbrt(60 * 30 / 9000.0), 1e-6);
-  EXPECT_TRUE(cycle.monotone);
-  EXPECT_LE(cycle.too_short, cycle.duration);
-  EXPECT_GE(cycle.too_short, cycle.duration * (1 - 1e-5));
+  ASSERT_TRUE(cycle.bound);
+  EXPECT_LE(cycle.bound->duration, std::cbrt(32 * 30 / 9000.0));  // constant jerk in four parts
+  EXPECT_GE(cycle.bound->duration, std::cbrt(32 * 30 / 9000.0) * (1 - 1e-3));
 }
 
 /// No law is faster than seven segments of constant jerk: T = h/V + V/A + A/J where all limits are reached.
@@ -50,14 +50,40 @@ TEST(Drive, ValuesOtherThanZeroAreSaidToBeNoProof) {
   problem.points.back().values[1] = testing::fixed(50);
   problem.degree = 7;
   const ShortestCycle cycle = find_shortest_cycle(problem, progress);
-  EXPECT_FALSE(cycle.monotone);
+  EXPECT_FALSE(cycle.bound);
   EXPECT_GT(cycle.duration, 0.4);
   EXPECT_LE(cycle.spline.objective, 1);
 }
 
-TEST(Drive, NoLimitIsAFault) {
+TEST(Drive, AnglesInARangeAreNotSlowerThanANumberInside) {
   SilentProgress progress;
-  EXPECT_THROW(find_shortest_cycle(driven(40, {}), progress), InvalidInput);
+  MotionLawProblem problem = driven(100, {1000, 10000, 1e6});
+  problem.degree = 3;
+  problem.pieces = 16;
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(35, {testing::fixed(30)}));
+  const double at_35 = find_shortest_cycle(problem, progress).duration;
+  problem.points[1].at = {22, 67};
+  EXPECT_LE(find_shortest_cycle(problem, progress).duration, at_35 * (1 + 1e-6));
+}
+
+TEST(Drive, PeaksStayBelowTheLimits) {
+  SilentProgress progress;
+  MotionLawProblem problem = driven(100, {1000, 10000, 1e6});
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(30)}));
+  for (const int degree : {5, 9}) {
+    problem.degree = degree;
+    problem.pieces = 8;
+    EXPECT_LT(find_shortest_cycle(problem, progress).spline.objective, 1 - 1e-9);
+  }
+}
+
+TEST(Drive, WhatNoDriveCanIsAFault) {
+  EXPECT_THROW(check_drive(driven(40, {})), InvalidInput);
+  EXPECT_THROW(check_drive(driven(0, {100, 1000, 20000})), InvalidInput);
+  MotionLawProblem problem = driven(40, {100, 1000, 20000});
+  EXPECT_NO_THROW(check_drive(problem));
+  problem.points.back().values[1] = testing::fixed(-300);
+  EXPECT_THROW(check_drive(problem), InvalidInput);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ TEST(FreeAngles, StartsEndInTheLeastJOfAScan) {
   SilentProgress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(11)}, 3));
-  const SectionBasis basis(6, 1);
+  const LawBasis basis(make_law_task(problem), 6, 1);
   double least = 1e300;
   for (int k = 0; k <= 60; ++k) {
     problem.points[1].at = {25 + 0.5 * k, 25 + 0.5 * k};
@@ -40,7 +40,7 @@ TEST(FreeAngles, SameSeedSameLaw) {
   problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(20)}, 3));
   problem.points[1].at = {30, 70};
   const LawTask task = make_law_task(problem);
-  const SectionBasis basis(6, 1);
+  const LawBasis basis(task, 6, 1);
   EXPECT_EQ(optimise_angles(task, basis, 5, progress).spline.coefficients,
             optimise_angles(task, basis, 5, progress).spline.coefficients);
 }
@@ -53,7 +53,7 @@ TEST(FreeAngles, StartsWithoutALawAreGivenUp) {
   problem.points[0].section[1] = {-1, 1};  // mm/s: too slow for 12 mm
   const LawTask task = make_law_task(problem);
   SilentProgress progress;
-  const FreeAngles found = optimise_angles(task, SectionBasis(7, 1), 1, progress);
+  const FreeAngles found = optimise_angles(task, LawBasis(task, 7, 1), 1, progress);
   EXPECT_FALSE(found.spline.feasible);
   EXPECT_LE(found.programs, 20);
 }

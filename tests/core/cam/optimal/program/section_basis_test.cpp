@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bahnwerk::cam {
@@ -9,10 +10,10 @@ namespace {
 
 double value_of(const SectionBasis& basis, const std::vector<double>& c, std::size_t piece, double v,
                 std::size_t order) {
-  std::vector<double> weights(basis.degree() + 1);
+  std::vector<double> weights(basis.size());
   basis.weights(piece, v, order, weights.data());
   double sum = 0;
-  for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * c[piece + k];
+  for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * c[k];
   return sum;
 }
 
@@ -39,44 +40,50 @@ TEST(SectionBasis, PiecesJoinUpToOneLessThanTheDegree) {
     }
 }
 
-/// The weights are a partition of one, and linear coefficients at the Greville abscissae give the identity.
-TEST(SectionBasis, ReproducesStraightLines) {
-  const SectionBasis basis(4, 3);
-  std::vector<double> line(basis.size());
-  for (std::size_t j = 0; j < line.size(); ++j) {
-    double sum = 0;
-    for (std::size_t k = 1; k <= 4; ++k) sum += std::min(3.0, std::max(0.0, static_cast<double>(j + k) - 4));
-    line[j] = sum / 4 / 3;
-  }
+/// The states are the derivatives at the begin; with constant third derivatives the spline is a cubic.
+TEST(SectionBasis, ReproducesCubics) {
+  const SectionBasis basis(5, 3);
+  std::vector<double> c(basis.size(), 6);
+  c[0] = 1, c[1] = -2, c[2] = 4;
   for (std::size_t piece = 0; piece < 3; ++piece)
     for (const double v : {0.0, 0.3, 1.0}) {
-      EXPECT_NEAR(value_of(basis, line, piece, v, 0), (static_cast<double>(piece) + v) / 3, 1e-14);
-      EXPECT_NEAR(value_of(basis, line, piece, v, 1), 1, 1e-13);
-      EXPECT_NEAR(value_of(basis, line, piece, v, 2), 0, 1e-12);
+      const double u = (static_cast<double>(piece) + v) / 3;
+      EXPECT_NEAR(value_of(basis, c, piece, v, 0), 1 - 2 * u + 2 * u * u + u * u * u, 1e-14);
+      EXPECT_NEAR(value_of(basis, c, piece, v, 1), -2 + 4 * u + 3 * u * u, 1e-14);
+      EXPECT_NEAR(value_of(basis, c, piece, v, 2), 4 + 6 * u, 1e-14);
+      EXPECT_NEAR(value_of(basis, c, piece, v, 3), 6, 1e-13);
+      EXPECT_NEAR(value_of(basis, c, piece, v, 4), 0, 1e-11);
     }
 }
 
-TEST(SectionBasis, BernsteinFormIsTheSamePolynomial) {
+TEST(SectionBasis, BernsteinFormIsTheSameDerivative) {
   const SectionBasis basis(6, 4);
   const std::vector<double> c = some_coefficients(basis.size());
   std::vector<double> b(7), values(7);
-  for (std::size_t piece = 0; piece < 4; ++piece) {
-    basis.bernstein(piece, c.data(), b.data());
-    for (const double v : {0.0, 0.21, 0.77, 1.0}) {
-      SectionBasis::bernstein_values(6, v, values.data());
-      double sum = 0;
-      for (std::size_t k = 0; k < 7; ++k) sum += values[k] * b[k];
-      EXPECT_NEAR(sum, value_of(basis, c, piece, v, 0), 1e-14);
+  for (std::size_t order = 0; order <= 3; ++order)
+    for (std::size_t piece = 0; piece < 4; ++piece) {
+      basis.bernstein(piece, c.data(), order, b.data());
+      for (const double v : {0.0, 0.21, 0.77, 1.0}) {
+        SectionBasis::bernstein_values(6 - order, v, values.data());
+        double sum = 0;
+        for (std::size_t k = 0; k + order < 7; ++k) sum += values[k] * b[k];
+        EXPECT_NEAR(sum, value_of(basis, c, piece, v, order), 1e-13);
+      }
     }
-    std::vector<double> slope = b;
-    differentiate_bernstein(slope);
-    EXPECT_NEAR(4 * slope.front(), value_of(basis, c, piece, 0, 1), 1e-12);
-  }
+}
+
+TEST(SectionBasis, HasAsManySitesAsSplines) {
+  for (const int degree : {3, 7})
+    for (std::size_t order = 0; order <= 3; ++order) {
+      const std::vector<double> sites = SectionBasis(degree, 4).sites(order);
+      EXPECT_EQ(sites.size(), static_cast<std::size_t>(degree) - order + 4);
+      EXPECT_TRUE(std::is_sorted(sites.begin(), sites.end()));
+    }
 }
 
 TEST(SectionBasis, DerivativesAboveTheDegreeAreZero) {
   const SectionBasis basis(3, 2);
-  std::vector<double> weights(4, 1);
+  std::vector<double> weights(basis.size(), 1);
   basis.weights(0, 0.4, 4, weights.data());
   for (const double weight : weights) EXPECT_EQ(weight, 0);
 }

@@ -14,7 +14,7 @@ namespace bahnwerk::cam {
 namespace {
 
 SplineResult solve(const LawTask& task, int degree, int pieces) {
-  return testing::solve(task, SectionBasis(degree, pieces));
+  return testing::solve(task, LawBasis(task, degree, pieces));
 }
 
 TEST(SplineProgram, SixValuesAndDegreeFiveAreThe345Polynomial) {
@@ -72,10 +72,11 @@ TEST(SplineProgram, ResultsAreProvenAndKeepTheirConditions) {
     EXPECT_LE(halves.lower, seven.objective * (1 + 1e-8)) << k;
     EXPECT_LE(eight.objective, seven.objective * (1 + 1e-4)) << k;
     EXPECT_LE(seven.violation, 1e-8) << k;
-    const SectionBasis basis(7, 1);
+    const LawBasis basis(task, 7, 1);
     std::vector<double> weights(8);
+    ASSERT_EQ(basis.size(), 8 * task.sections());
     const auto derivative = [&](std::size_t section, double v, int order) {
-      basis.weights(0, v, static_cast<std::size_t>(order), weights.data());
+      basis.section(section).weights(0, v, static_cast<std::size_t>(order), weights.data());
       double sum = 0;
       for (std::size_t i = 0; i < 8; ++i) sum += weights[i] * seven.coefficients[section * 8 + i];
       return sum / std::pow(seven.breaks[section + 1] - seven.breaks[section], order);
@@ -130,19 +131,47 @@ TEST(SplineProgram, SectionLimitsHoldBetweenTheirSamples) {
   ASSERT_TRUE(limited.feasible);
   EXPECT_GT(limited.objective, free.objective * 1.001);
   for (std::size_t section = 0; section < 2; ++section) {
-    std::vector<double> b(limited.coefficients.begin() + static_cast<std::ptrdiff_t>(7 * section),
-                          limited.coefficients.begin() + static_cast<std::ptrdiff_t>(7 * section + 7));
-    differentiate_bernstein(b);
+    const LawBasis basis(task, 6, 1);
+    std::vector<double> b(6);
+    basis.section(section).bernstein(0, limited.coefficients.data() + basis.first(section), 1, b.data());
     for (double& each : b) each = -each;
     EXPECT_LE(greatest_value(b).value, 1e-9);
   }
 }
 
+/// A spline of some pieces is one of twice as many.
+TEST(SplineProgram, MorePiecesThatDivideTheSectionsAreNeverWorse) {
+  Random random(5);
+  for (int k = 0; k < 6; ++k) {
+    MotionLawProblem problem = testing::random_problem(random);
+    if (k % 2 == 0)
+      problem.points[1].at = {problem.points[2].at.min - 1, problem.points[2].at.min - 1};  // a short section
+    const LawTask task = make_law_task(problem);
+    double last = 1e300;
+    for (const int pieces : {1, 2, 4, 8}) {
+      const SplineResult result = solve(task, 7, pieces);
+      if (!result.feasible) continue;
+      EXPECT_LE(result.objective, last * (1 + 5e-9)) << k << ' ' << pieces;
+      last = result.objective;
+    }
+  }
+}
+
+/// Two points 0.1 deg apart say what a velocity says.
+TEST(SplineProgram, AShortSectionIsWorthAVelocity) {
+  MotionLawProblem slow = testing::rest_to_rest(10, 1), pair = slow;
+  slow.points.insert(slow.points.begin() + 1, testing::point_at(45, {testing::fixed(5), testing::fixed(10)}, 3));
+  pair.points.insert(pair.points.begin() + 1, testing::point_at(45, {testing::fixed(5)}, 3));
+  pair.points.insert(pair.points.begin() + 2, testing::point_at(45.025, {testing::fixed(5 + 10 * 0.025 / 90)}, 3));
+  const double with_velocity = solve(make_law_task(slow), 5, 8).objective;
+  EXPECT_NEAR(solve(make_law_task(pair), 5, 8).objective, with_velocity, 1e-3 * with_velocity);
+}
+
 TEST(SplineProgram, ContradictionsAreNamed) {
   SilentProgress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
-  const SectionBasis four(4, 1), five(5, 1);
   LawTask task = make_law_task(problem);
+  const LawBasis four(task, 4, 1), five(task, 5, 1);
   const LawConflict values = SplineProgram(task, four, task.middle()).find_conflict(progress);
   EXPECT_TRUE(values.values);
   EXPECT_EQ(values.conditions.size(), 6u);

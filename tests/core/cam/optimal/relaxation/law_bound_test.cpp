@@ -15,7 +15,7 @@ TEST(LawBound, BoxesOfAnglesHoldForEveryAngleInThem) {
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(12)}, 3));
   double least = 1e300;
-  const SectionBasis basis(6, 2);
+  const LawBasis basis(make_law_task(problem), 6, 2);
   for (const double at : {30.0, 35.0, 40.0, 50.0}) {
     problem.points[1].at = {at, at};
     const LawTask task = make_law_task(problem);
@@ -37,7 +37,7 @@ TEST(LawBound, RangesThatOverlapTheNextPointHoldForEveryAngleInThem) {
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(10, {testing::fixed(3)}));
   problem.points.insert(problem.points.begin() + 2, testing::point_at(30, {testing::fixed(18)}));
-  const SectionBasis basis(5, 4);
+  const LawBasis basis(make_law_task(problem), 5, 4);
   double least = 1e300;
   for (const double at : {5.0, 10.0, 15.0, 20.0}) {
     problem.points[1].at = {at, at};

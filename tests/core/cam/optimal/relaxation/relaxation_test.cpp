@@ -23,7 +23,7 @@ TEST(Relaxation, ReachesTheClosedFormFromBelow) {
     const double r = (-b + std::sqrt(b * b + a * b / 2)) / a;
     const double closed = w[1] * 2 * h / t + a / (0.5 - r) + b / (r * (0.5 - r));
     const LawTask task = make_law_task(problem);
-    const SectionBasis basis(7, 1);
+    const LawBasis basis(task, 7, 1);
     const KnownLaw law(task, basis, testing::solve(task, basis));
     const double bound = relaxation_bound(task, task.at, law, {}, progress);
     EXPECT_LE(bound, closed * (1 + 1e-9));
@@ -37,7 +37,7 @@ TEST(Relaxation, IsBelowEveryLaw) {
   Random random(4);
   for (int k = 0; k < 12; ++k) {
     const LawTask task = make_law_task(testing::random_problem(random));
-    const SectionBasis basis(7, 1), fine(4, 12);
+    const LawBasis basis(task, 7, 1), fine(task, 4, 12);
     const SplineResult spline = testing::solve(task, basis), close = testing::solve(task, fine);
     RelaxationOptions options;
     options.cells = 120;
@@ -60,7 +60,7 @@ TEST(Relaxation, BesideADwellIsAsCloseAsBetweenRests) {
   double bound[2];
   for (const auto* problem : {&alone, &behind}) {
     const LawTask task = make_law_task(*problem);
-    const SectionBasis basis(7, 1);
+    const LawBasis basis(task, 7, 1);
     const KnownLaw law(task, basis, testing::solve(task, basis));
     bound[problem == &behind] = relaxation_bound(task, task.at, law, {}, progress);
   }
@@ -86,7 +86,7 @@ TEST(Relaxation, ADwellOfFreeHeightTakesPartWhereverTheCycleBegins) {
       if (i == 1) problem.points.back().section[1] = {0, 0};
     }
     const LawTask task = make_law_task(problem);
-    const SectionBasis basis(6, 4);
+    const LawBasis basis(task, 6, 4);
     const SplineResult spline = testing::solve(task, basis);
     const double bound = relaxation_bound(task, task.at, KnownLaw(task, basis, spline), {}, progress);
     least = std::max(least, bound), most = std::min(most, bound), law_there = std::min(law_there, spline.objective);
@@ -102,7 +102,7 @@ TEST(Relaxation, JumpsThatAPointAllowsCountAsLaws) {
   MotionLawProblem problem = testing::rest_to_rest(0, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(45, {testing::fixed(20)}, 1));
   LawTask task = make_law_task(problem);
-  const SectionBasis basis(5, 4);
+  const LawBasis basis(task, 5, 4);
   const SplineResult jumping = testing::solve(task, basis);
   const double bound = relaxation_bound(task, task.at, KnownLaw(task, basis, jumping), {}, progress);
   EXPECT_LE(bound, jumping.objective);

@@ -20,7 +20,7 @@ TEST(KnownLaw, HasTheValuesOfItsPointsEveryCycle) {
   problem.points = {testing::point_at(0, {testing::fixed(5), testing::fixed(0)}),
                     testing::point_at(150, {testing::fixed(20), testing::fixed(3)})};
   const LawTask task = make_law_task(problem);
-  const SectionBasis basis(6, 2);
+  const LawBasis basis(task, 6, 2);
   SilentProgress progress;
   const SplineResult spline = SplineProgram(task, basis, task.middle()).solve({}, progress);
   ASSERT_TRUE(spline.feasible);

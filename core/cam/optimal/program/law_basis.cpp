@@ -1,0 +1,67 @@
+#include "core/cam/optimal/program/law_basis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bahnwerk::cam {
+
+double published_rounding(const LawTask& task, int degree, double length, int order) {
+  double largest = std::abs(task.origin) / task.unit_position;
+  for (const LawTask::Condition& condition : task.conditions)
+    for (const double end : {condition.range.min, condition.range.max})
+      if (condition.order == 0 && std::isfinite(end))
+        largest = std::max(largest, std::abs(end + task.origin / task.unit_position));
+  double factor = std::numeric_limits<double>::epsilon() * std::max(largest, 1.0);
+  for (int k = 0; k < order; ++k) factor *= 2 * static_cast<double>(degree - k) / length;
+  return factor;
+}
+
+int kept_order(const LawTask& task, std::size_t section) {
+  int order = 1;
+  for (int r = 1; r < limited_orders; ++r)
+    if (task.weight[static_cast<std::size_t>(r)] > 0 || !task.limits[section][static_cast<std::size_t>(r)].free())
+      order = std::max(order, r);
+  for (const std::size_t point : {section, task.periodic ? task.end_point(section) : section + 1})
+    if (task.joint(point)) order = std::max(order, std::min(task.continuity[point], limited_orders - 1));
+  return order;
+}
+
+bool is_expressible(const LawTask& task, std::size_t section, int degree) {
+  if (task.is_given(section) || task.constant_velocity(section)) return true;
+  const std::vector<double> breaks = task.breaks(task.middle());
+  const int order = kept_order(task, section);
+  return published_rounding(task, degree, breaks[section + 1] - breaks[section], order) <=
+         1e-4 * LawTask::usual_peaks[static_cast<std::size_t>(order)];
+}
+
+bool is_expressible(const LawTask& task, int degree) {
+  for (std::size_t s = 0; s < task.sections(); ++s)
+    if (!is_expressible(task, s, degree)) return false;
+  return true;
+}
+
+double coefficient_of_variable(double length, std::size_t k) {
+  const double part = length / std::max(1.0, length);
+  const std::size_t order = SectionBasis::order_of(k);
+  return order == 0 ? 1 : order == 1 ? part : order == 2 ? part * part : part * part * part;
+}
+
+LawBasis::LawBasis(const LawTask& task, int degree, int pieces)
+    : degree_(static_cast<std::size_t>(degree)), pieces_(static_cast<std::size_t>(pieces)), first_{0} {
+  constexpr double little = 1e-6;
+  const std::vector<double> breaks = task.breaks(task.middle());
+  for (std::size_t s = 0; s < task.sections(); ++s) {
+    const int order = kept_order(task, s);
+    const double length = breaks[s + 1] - breaks[s];
+    int count = pieces;
+    while (count > 1 && (pieces % count != 0 || !(published_rounding(task, degree, length / count, order) <=
+                                                  little * LawTask::usual_peaks[static_cast<std::size_t>(order)])))
+      --count;
+    of_section_.push_back(static_cast<std::size_t>(count));
+    if (!bases_.contains(of_section_.back())) bases_.emplace(of_section_.back(), SectionBasis(degree, count));
+    first_.push_back(first_.back() + section(s).size());
+  }
+}
+
+}  // namespace bahnwerk::cam

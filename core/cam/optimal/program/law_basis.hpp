@@ -1,0 +1,47 @@
+#pragma once
+/// The splines of a whole law: one basis per section, with the same degree everywhere.
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "core/cam/optimal/law_task.hpp"
+#include "core/cam/optimal/program/section_basis.hpp"
+
+namespace bahnwerk::cam {
+
+/// Returns by how much rounding of published coefficients, which are positions, may move s^(order) of a piece of that
+/// degree and length; in the task's units.
+double published_rounding(const LawTask& task, int degree, double length, int order);
+
+/// Returns the highest order of derivative, 3 at most, that a section has to keep: one that J counts, that it limits,
+/// or in which it joins a neighbour.
+int kept_order(const LawTask& task, std::size_t section);
+
+/// Returns whether published coefficients of that degree tell each section's derivatives up to kept_order() from
+/// rounding, with one piece per section: to 1e-4 of what they usually have.
+bool is_expressible(const LawTask& task, std::size_t section, int degree);
+bool is_expressible(const LawTask& task, int degree);
+
+/// Returns what a program's variable is worth as coefficient k of a section of that length: (length/max(1, length))^j,
+/// j the coefficient's order. In these variables derivatives have weights of the order of 1, however short the section.
+double coefficient_of_variable(double length, std::size_t k);
+
+class LawBasis {
+ public:
+  /// A section has `pieces` pieces, or the largest divisor of it at which published_rounding() of its kept_order() is
+  /// below 1e-6 of what such a derivative has; at least 1. Lengths are those in the middle of the points' ranges.
+  LawBasis(const LawTask& task, int degree, int pieces);
+
+  std::size_t degree() const { return degree_; }
+  std::size_t pieces() const { return pieces_; }  ///< the number asked for
+  const SectionBasis& section(std::size_t s) const { return bases_.at(of_section_[s]); }
+  std::size_t first(std::size_t s) const { return first_[s]; }  ///< number of a section's first coefficient
+  std::size_t size() const { return first_.back(); }            ///< coefficients of all sections
+
+ private:
+  std::size_t degree_, pieces_;
+  std::map<std::size_t, SectionBasis> bases_;  // by number of pieces
+  std::vector<std::size_t> of_section_, first_;
+};
+
+}  // namespace bahnwerk::cam

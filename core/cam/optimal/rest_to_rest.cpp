@@ -1,0 +1,175 @@
+#include "core/cam/optimal/rest_to_rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace bahnwerk::cam {
+namespace {
+
+constexpr double ramp = 1e-3;  // share of a stroke's duration for what jumps in the bound
+
+/// Durations of the parts of constant jerk (four times), acceleration (twice) and velocity.
+struct Parts {
+  double jerk = 0, acceleration = 0, velocity = 0;
+  double duration() const { return 4 * jerk + 2 * acceleration + velocity; }
+};
+
+/// The shortest motion over a stroke > 0 from rest to rest; limits may be infinite.
+Parts shortest(double stroke, const DriveLimits& limit) {
+  const double ramping = std::isfinite(limit.jerk) ? limit.acceleration / limit.jerk : 0;  // time to full acceleration
+  const auto accelerate = [&](double velocity) {
+    Parts out;
+    if (std::isinf(limit.jerk)) {
+      out.acceleration = velocity / limit.acceleration;
+    } else if (velocity < limit.acceleration * ramping) {
+      out.jerk = std::sqrt(velocity / limit.jerk);
+    } else {
+      out.jerk = ramping;
+      out.acceleration = velocity / limit.acceleration - ramping;
+    }
+    return out;
+  };
+  if (std::isfinite(limit.velocity)) {
+    Parts out = accelerate(limit.velocity);
+    const double left = stroke - limit.velocity * (2 * out.jerk + out.acceleration);
+    if (left >= 0) {
+      out.velocity = left / limit.velocity;
+      return out;
+    }
+  }
+  if (std::isinf(limit.acceleration) || stroke < 2 * limit.acceleration * ramping * ramping)
+    return {std::cbrt(stroke / (2 * limit.jerk)), 0, 0};
+  return accelerate(limit.acceleration * (std::sqrt(ramping * ramping + 4 * stroke / limit.acceleration) - ramping) /
+                    2);
+}
+
+/// The limits with ramps in the place of jumps.
+DriveLimits with_ramps(DriveLimits limit, double duration) {
+  if (std::isfinite(limit.jerk)) return limit;
+  if (std::isinf(limit.acceleration)) limit.acceleration = limit.velocity / (ramp * duration);
+  limit.jerk = limit.acceleration / (ramp * duration);
+  return limit;
+}
+
+bool rests(const MotionLawProblem& problem, std::size_t p) {
+  const MotionPoint& point = problem.points[p];
+  if (!point.at.fixed() || !point.value(0).fixed() || problem.continuity(p) > 2) return false;
+  const int highest = std::isfinite(problem.drive->jerk) ? 2 : 1;
+  for (int r = 1; r <= 2; ++r)
+    if (!(point.value(r).fixed() ? point.value(r).min == 0 : r > highest && point.value(r).free())) return false;
+  return true;
+}
+
+class Builder {
+ public:
+  Builder(const MotionLawProblem& problem, std::vector<Parts> parts) : problem_(problem), parts_(std::move(parts)) {}
+
+  CamLaw at(double duration) {
+    breaks_.clear(), pieces_.clear();
+    MotionLawProblem timed = problem_;
+    timed.cycle_duration = duration;
+    std::vector<double> at;
+    for (const MotionPoint& point : problem_.points) at.push_back(point.at.min);
+    const std::vector<double> times = section_times(timed, at);
+    for (std::size_t s = 0; s < problem_.sections(); ++s) section(s, times[s], times[s + 1]);
+    breaks_.push_back(times.back());
+    return {breaks_, pieces_, problem_.periodic};
+  }
+
+ private:
+  void section(std::size_t s, double begin, double end) {
+    const double from = problem_.points[s].value(0).min, to = problem_.points[problem_.end_point(s)].value(0).min;
+    if (from == to) {
+      breaks_.push_back(begin);
+      pieces_.push_back({s, {from, to}});
+      return;
+    }
+    const double stretch = (end - begin) / parts_[s].duration();
+    const double jerk_time = stretch * parts_[s].jerk, acceleration_time = stretch * parts_[s].acceleration;
+    const double cruise = stretch * parts_[s].velocity;
+    // The jerk from the stroke: half of it is passed in the middle.
+    const double t = jerk_time, u = acceleration_time;
+    const double jerk = (to - from) / (t * (t + u) * (2 * t + u + cruise));
+    double time = 0, position = 0, velocity = 0, acceleration = 0;
+    std::vector<std::pair<double, std::vector<double>>> half;  // begin, coefficients less `from`
+    for (const auto& [duration, j] : {std::pair{t, jerk}, {u, 0.0}, {t, -jerk}}) {
+      if (!(duration > 0)) continue;
+      const double d = duration;
+      const double next = position + d * (velocity + d * (acceleration / 2 + d * j / 6));
+      half.push_back(
+          {time,
+           {position, position + d * velocity / 3, position + d * (2 * velocity / 3 + d * acceleration / 6), next}});
+      position = next;
+      velocity += d * (acceleration + d * j / 2);
+      acceleration += d * j;
+      time += d;
+    }
+    for (const auto& [at, b] : half) {
+      breaks_.push_back(begin + at);
+      pieces_.push_back({s, {from + b[0], from + b[1], from + b[2], from + b[3]}});
+    }
+    if (cruise > 0) {
+      breaks_.push_back(begin + time);
+      pieces_.push_back({s, {from + position, to - position}});
+    }
+    for (std::size_t i = half.size(); i-- > 0;) {  // the first half turned around
+      const double until = i + 1 < half.size() ? half[i + 1].first : time;
+      const auto& b = half[i].second;
+      breaks_.push_back(end - until);
+      pieces_.push_back({s, {to - b[3], to - b[2], to - b[1], to - b[0]}});
+    }
+  }
+
+  const MotionLawProblem& problem_;
+  std::vector<Parts> parts_;
+  std::vector<double> breaks_;
+  std::vector<LawPiece> pieces_;
+};
+
+bool keeps_sections(const MotionLawProblem& problem, const CamLaw& law) {
+  for (std::size_t s = 0; s < problem.sections(); ++s)
+    for (int r = 0; r < limited_orders; ++r) {
+      const Range limit = problem.points[s].section[static_cast<std::size_t>(r)];
+      if (limit.free()) continue;
+      const LawExtremes extremes = law.section_extremes(r, s);
+      const double slack = 1e-12 * law.peak(r).value;
+      if (extremes.lowest.value < limit.min - slack || extremes.highest.value > limit.max + slack) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+std::optional<RestToRest> rest_to_rest(const MotionLawProblem& problem) {
+  if (!problem.vibration.empty()) return std::nullopt;
+  for (std::size_t p = 0; p < problem.points.size(); ++p)
+    if (!rests(problem, p) || problem.points[p].law) return std::nullopt;
+  RestToRest out;
+  std::vector<Parts> parts(problem.sections());
+  for (std::size_t s = 0; s < problem.sections(); ++s) {
+    const std::size_t e = problem.end_point(s);
+    const double stroke = std::abs(problem.points[e].value(0).min - problem.points[s].value(0).min);
+    if (stroke == 0) continue;
+    const double angle = problem.points[e].at.min - problem.points[s].at.min + (e <= s ? problem.length : 0);
+    const double least = shortest(stroke, *problem.drive).duration();
+    parts[s] = shortest(stroke, with_ramps(*problem.drive, least));
+    out.bound = std::max(out.bound, least * problem.length / angle);
+    out.duration = std::max(out.duration, parts[s].duration() * problem.length / angle);
+  }
+  Builder builder(problem, std::move(parts));
+  const double limit[] = {0, problem.drive->velocity, problem.drive->acceleration, problem.drive->jerk};
+  for (int i = 0; i < 20; ++i) {  // rounding of positions may exceed a limit
+    out.law = builder.at(out.duration);
+    double exceeded = 0;
+    for (int r = 1; r < limited_orders; ++r)
+      exceeded = std::max(exceeded, std::pow(out.law.peak(r).value / (limit[r] * (1 + 5e-10)), 1.0 / r));
+    if (exceeded <= 1) break;
+    out.duration *= 1 + 1.2 * (exceeded - 1);
+  }
+  if (!keeps_sections(problem, out.law)) return std::nullopt;
+  return out;
+}
+
+}  // namespace bahnwerk::cam
