@@ -33,11 +33,12 @@ class SpeedChoice {
   };
   using Candidates = std::vector<Candidate>;
   double largest_speed(std::size_t i, const Turn& turn, Vec in, Vec out) const;
-  /// Returns the largest speed per point that the tube admits and that can be reached from the start and braked from to
-  /// the end. A nominal speed that cannot be reached changes nothing.
+  /// Returns the largest speed per point that the tube admits, that can be reached from the start and braked from to the
+  /// end. A nominal speed that cannot be reached changes nothing.
   std::vector<double> largest_speeds(const std::vector<Turn>& turns, const std::vector<Vec>& directions) const;
-  void lower_to_reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions, bool backwards,
-                          std::vector<double>& speed) const;
+  /// Returns the speeds, at most `speed`, that can be reached from the start, or braked from to the end.
+  std::vector<double> reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions, bool backwards,
+                                std::vector<double> speed) const;
   void connect(std::size_t edge, Vec direction, const Candidates& from, Candidates& to) const;
 
   const ProbeProblem& problem_;

@@ -11,6 +11,7 @@
 
 #include "core/base/progress_scope.hpp"
 #include "core/probe/spline/spline_run.hpp"
+#include "core/probe/straight/rows.hpp"
 #include "core/probe/straight/stops.hpp"
 #include "core/probe/straight/straight.hpp"
 #include "core/probe/tighter.hpp"
