@@ -24,8 +24,8 @@ struct ProbeProblem {
   double tolerance = 0;               ///< δ, mm: the radius of the tube, 0 or more
   /// Radius of the tube about each edge, mm, at most `tolerance`; empty: `tolerance` about all.
   std::vector<double> edge_tolerance;
-  double speed = 0;                   ///< mm/s, Euclidean
-  double point_tolerance = 1e-6;      ///< mm
+  double speed = 0;               ///< mm/s, Euclidean
+  double point_tolerance = 1e-6;  ///< mm
   /// Axes x, y (and z) with acceleration, jerk and snap, all positive and finite, velocity unlimited; the cycle time.
   Machine machine;
   ProbeObjective objective = ProbeObjective::time;

@@ -28,8 +28,9 @@ class SectionWriter {
       out_.times.push_back(begin);
       out_.phases.push_back({ProbePhaseKind::rest, begin, begin, section.from});
     }
-    std::size_t piece = piece_at(spline, section.begin);
-    const std::size_t end = piece_at(spline, section.end);
+    const double rounding = 64 * std::numeric_limits<double>::epsilon() * spline.duration();
+    std::size_t piece = piece_at(spline, section.begin - rounding);
+    const std::size_t end = piece_at(spline, section.end - rounding);
     const Vec shift = shift_to(spline, piece, section.from);
     for (; piece < end; ++piece) {
       sum_.add(plan.durations[piece]);
@@ -46,9 +47,9 @@ class SectionWriter {
     }
     const auto moved = [&](double t) { return begin + (t - section.begin); };
     for (std::size_t i = section.from + 1; i < section.to; ++i) out_.times.push_back(moved(plan.times[i]));
-    auto phase = std::lower_bound(plan.phases.begin(), plan.phases.end(), section.begin,
+    auto phase = std::lower_bound(plan.phases.begin(), plan.phases.end(), section.begin - rounding,
                                   [](const ProbePhase& p, double t) { return p.begin < t; });
-    for (; phase != plan.phases.end() && phase->end <= section.end; ++phase)
+    for (; phase != plan.phases.end() && phase->end <= section.end + rounding; ++phase)
       if (phase->kind != ProbePhaseKind::rest)
         out_.phases.push_back({phase->kind, moved(phase->begin), moved(phase->end), phase->point});
   }
@@ -60,13 +61,15 @@ class SectionWriter {
   }
 
  private:
-  /// The number of the piece that begins at t.
+  /// The number of the first piece that begins at t or later.
   static std::size_t piece_at(const SplineMotion& spline, double t) {
     std::size_t low = 0, high = spline.pieces();
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
-      if (spline.begin(middle) < t) low = middle + 1;
-      else high = middle;
+      if (spline.begin(middle) < t)
+        low = middle + 1;
+      else
+        high = middle;
     }
     return low;
   }

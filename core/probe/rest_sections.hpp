@@ -8,8 +8,8 @@
 namespace bahnwerk::probe {
 
 /// Returns the quickest motion that follows one of `plans` from each rest to the next one: the shortest path over the
-/// points at which they rest (phases of kind rest). The plans pass all points of the problem, and their times are those
-/// of a MotionWriter. Of equally quick ones the first is taken. O(pieces).
+/// points at which they rest (phases of kind rest). Of equally quick ones the first is taken. The plans pass all
+/// points of the problem and have planned durations and joints. O(pieces).
 ProbeMotion quickest_sections(const ProbeProblem& problem, std::vector<ProbeMotion> plans);
 
 }  // namespace bahnwerk::probe

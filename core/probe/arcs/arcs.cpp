@@ -9,9 +9,9 @@
 #include "core/probe/arcs/speed_choice.hpp"
 #include "core/probe/arcs/turn_path.hpp"
 #include "core/probe/lasting_phases.hpp"
+#include "core/probe/reachable_speed.hpp"
 #include "core/probe/rest_sections.hpp"
 #include "core/probe/straight/rows.hpp"
-#include "core/probe/tighter.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -27,24 +27,24 @@ TurnSpeeds all_rests(const ProbeProblem& problem, const std::vector<std::size_t>
   }
 }
 
+constexpr std::size_t many = 100;  // points from which on fewer speeds are compared
+
 /// Candidates of one round of the search: shares of what the tube admits, factors of the speed found before.
 struct Round {
   std::vector<double> shares, factors;
 };
 const std::vector<Round>& rounds_for(std::size_t points) {
-  static const std::vector<double> all = [] {
+  static const auto ladder = [](double ratio) {
     std::vector<double> shares{1};
-    while (shares.back() > 0.02) shares.push_back(0.88 * shares.back());
+    while (shares.back() > 0.02) shares.push_back(ratio * shares.back());
     return shares;
-  }();
-  static const std::vector<Round> thorough{{all, {}},
+  };
+  static const std::vector<Round> thorough{{ladder(0.88), {}},
                                            {{1, 0.6, 0.3}, {0.75, 0.87, 0.93, 1.07, 1.15, 1.33}},
                                            {{1, 0.5}, {0.93, 0.97, 1.03, 1.07}},
                                            {{1}, {0.98, 0.99, 1.01, 1.02}},
                                            {{}, {0.995, 0.998, 1.002, 1.005}}};
-  static const std::vector<Round> quick{
-      {all, {}}, {{0.5}, {0.8, 0.92, 1.1, 1.3}}, {{}, {0.96, 1.04}}};
-  constexpr std::size_t many = 100;
+  static const std::vector<Round> quick{{ladder(0.75), {}}, {{0.5}, {0.8, 0.92, 1.1, 1.3}}, {{}, {0.96, 1.04}}};
   return points > many ? quick : thorough;
 }
 
@@ -75,10 +75,20 @@ class ArcSearch {
     shortest_ = best_.duration();
   }
 
-  /// Alternates between speeds and directions, from the edges' directions on; then begins with the quickest path and
-  /// searches closer and closer about it, for as long as that helps.
+  /// Alternates between speeds and directions; then begins with the quickest path and searches closer and closer about
+  /// it, for as long as that helps. Of few points, it begins twice: with the directions of the edges, as if the head
+  /// rested, and with those of turns at the largest speeds.
   const TurnPath& search(ProgressScope& scope) {
-    std::vector<Vec> directions = edge_directions(problem_);
+    const std::vector<Vec> edges = edge_directions(problem_);
+    alternate(edges, scope);
+    if (problem_.points.size() > many) return best_;
+    alternate(turned(edges, scope), scope);
+    polish(scope);
+    return best_;
+  }
+
+ private:
+  void alternate(std::vector<Vec> directions, ProgressScope& scope) {
     std::optional<TurnSpeeds> near;
     for (const Round& round : rounds_for(problem_.points.size())) {
       near = choice_.choose(directions, round.shares, near ? &*near : nullptr, round.factors, scope);
@@ -87,11 +97,14 @@ class ArcSearch {
       directions = spread(problem_, path);
       offer(std::move(path), scope);
     }
-    polish(scope);
-    return best_;
   }
-
- private:
+  std::vector<Vec> turned(const std::vector<Vec>& directions, ProgressScope& scope) const {
+    TurnSpeeds all{{}, choice_.largest_speeds(directions)};
+    for (std::size_t i = 0; i < all.speed.size(); ++i) all.node.push_back(i);
+    TurnPath path(problem_, std::move(all));
+    path.solve(1e-9, scope);
+    return path.directions();
+  }
   void polish(ProgressScope& scope) {
     constexpr int most = 9;
     constexpr double worth_while = 1e-5;
@@ -129,12 +142,8 @@ ProbeMotion search_arcs(const ProbeProblem& given, ProgressScope& scope) {
   plans.push_back(ArcSearch(problem, row_end).search(scope).write(scope));
   scope.half_of_rest();
   const ThinnedProblem thin = thinned(problem);
-  if (thin.point.size() < problem.points.size()) {
-    std::vector<std::size_t> next(thin.point.size());
-    for (std::size_t i = 0; i < next.size(); ++i) next[i] = std::min(i + 1, next.size() - 1);
-    plans.push_back(
-        with_all_points(problem, thin, ArcSearch(thin.problem, next).search(scope).write(scope)));
-  }
+  if (thin.point.size() < problem.points.size())
+    plans.push_back(with_all_points(problem, thin, ArcSearch(thin.problem, thin.next).search(scope).write(scope)));
   return quickest_sections(problem, std::move(plans));
 }
 

@@ -55,8 +55,16 @@ std::vector<double> SpeedChoice::reachable(const std::vector<Turn>& turns, const
   return speed;
 }
 
-std::vector<double> SpeedChoice::largest_speeds(const std::vector<Turn>& turns,
-                                                const std::vector<Vec>& directions) const {
+std::vector<Turn> SpeedChoice::turns_of(const std::vector<Vec>& directions) const {
+  const std::size_t n = problem_.points.size();
+  std::vector<Turn> turns;
+  for (std::size_t i = 0; i < n; ++i)
+    turns.emplace_back(problem_, directions[i > 0 ? i - 1 : 0], directions[std::min(i, n - 2)]);
+  return turns;
+}
+
+std::vector<double> SpeedChoice::largest_speeds(const std::vector<Vec>& directions) const {
+  const std::vector<Turn> turns = turns_of(directions);
   std::vector<double> speed(problem_.points.size(), 0.0);
   for (std::size_t i = 1; i + 1 < speed.size(); ++i)
     speed[i] = largest_speed(i, turns[i], directions[i - 1], directions[i]);
@@ -93,10 +101,8 @@ TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::ve
   std::vector<double> speed_before(n, 0);
   if (near)
     for (std::size_t i = 0; i < near->node.size(); ++i) speed_before[near->node[i]] = near->speed[i];
-  std::vector<Turn> turns;
-  for (std::size_t i = 0; i < n; ++i)
-    turns.emplace_back(problem_, directions[i > 0 ? i - 1 : 0], directions[std::min(i, n - 2)]);
-  const std::vector<double> largest = largest_speeds(turns, directions);
+  const std::vector<Turn> turns = turns_of(directions);
+  const std::vector<double> largest = largest_speeds(directions);
   progress.work(10 * n);
   std::vector<Candidates> all(n);
   all[0].resize(1);

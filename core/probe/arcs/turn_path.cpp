@@ -91,8 +91,8 @@ double TurnPath::straight_duration(std::size_t i) const {
 bool TurnPath::straight_fits(std::size_t i) const {
   const double length = straight_length(i);
   return length >= 0 && dot(way(i), point(i + 1) - point(i)) > 0 &&
-         length >= lengthening * min_distance(speeds_.speed[i], speeds_.speed[i + 1],
-                                              limits_along(*problem_, direction_[i]));
+         length >=
+             lengthening * min_distance(speeds_.speed[i], speeds_.speed[i + 1], limits_along(*problem_, direction_[i]));
 }
 
 bool TurnPath::turn_fits(std::size_t i) const {

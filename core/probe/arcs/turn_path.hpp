@@ -46,8 +46,7 @@ class TurnPath {
   /// Returns the direction of the straight from node i to the next one, a unit vector.
   Vec direction(std::size_t i) const { return direction_[i]; }
 
-  /// Replaces the directions by those of another path with the same nodes.
-  void start_from(const std::vector<Vec>& direction) { direction_ = direction; }
+  const std::vector<Vec>& directions() const { return direction_; }
   /// Iterates the fixed point of the directions until they move by less than `close`; 100 times at most. Only what
   /// still moves is computed again.
   void solve(double close, ProgressScope& progress);

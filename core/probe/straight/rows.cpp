@@ -110,7 +110,8 @@ class RowFinder {
         std::size_t b = a + 1;
         while (!is[b]) ++b;
         // Evenly, from either end alike.
-        for (std::size_t k = 1; 2 * k <= between; ++k) is[a + k * (b - a) / (between + 1)] = 2, is[b - k * (b - a) / (between + 1)] = 2;
+        for (std::size_t k = 1; 2 * k <= between; ++k)
+          is[a + k * (b - a) / (between + 1)] = 2, is[b - k * (b - a) / (between + 1)] = 2;
         is[a] = is[b] = 1;
         a = b;
       }
@@ -121,7 +122,8 @@ class RowFinder {
     return list;
   }
 
-  /// Returns the points at which straights meet, both ends included, that make the sum of `cost` of the straights least.
+  /// Returns the points at which straights meet, both ends included, that make the sum of `cost` of the straights
+  /// least.
   std::vector<std::size_t> shortest(const std::function<double(std::size_t, std::size_t)>& cost) const {
     const std::vector<std::size_t> at = meeting_points();
     std::vector<double> best(at.size(), unlimited);
@@ -151,8 +153,8 @@ class RowFinder {
 
 std::vector<std::size_t> straight_rows(const ProbeProblem& problem) {
   const RowFinder finder(problem, 1);
-  const std::vector<std::size_t> meet = finder.shortest(
-      [&](std::size_t a, std::size_t b) { return rest_to_rest_duration(problem, a, b); });
+  const std::vector<std::size_t> meet =
+      finder.shortest([&](std::size_t a, std::size_t b) { return rest_to_rest_duration(problem, a, b); });
   std::vector<std::size_t> end(problem.points.size(), finder.last());
   for (std::size_t m = 0; m + 1 < meet.size(); ++m)
     for (std::size_t i = meet[m]; i < meet[m + 1]; ++i) end[i] = meet[m + 1];
@@ -169,7 +171,10 @@ ThinnedProblem thinned(const ProbeProblem& problem) {
   });
   thin.problem = problem;
   thin.problem.points.clear();
-  for (const std::size_t i : thin.point) thin.problem.points.push_back(problem.points[i]);
+  for (const std::size_t i : thin.point) {
+    thin.problem.points.push_back(problem.points[i]);
+    thin.next.push_back(std::min(thin.next.size() + 1, thin.point.size() - 1));
+  }
   for (std::size_t m = 0; m + 1 < thin.point.size(); ++m)
     thin.problem.edge_tolerance.push_back(
         std::min(problem.tolerance, finder.left(thin.point[m], thin.point[m + 1]).first));

@@ -24,6 +24,7 @@ std::vector<std::size_t> straight_rows(const ProbeProblem& problem);
 struct ThinnedProblem {
   ProbeProblem problem;            ///< with a tolerance per edge
   std::vector<std::size_t> point;  ///< the given problem's point of each point
+  std::vector<std::size_t> next;   ///< the next point of each, the last of the last: rows as straight_rows() has them
 };
 
 /// Leaves out points that are within half of their allowed distance of the straights between those that are kept. What
