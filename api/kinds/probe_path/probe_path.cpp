@@ -42,7 +42,9 @@ struct ProbePathKind {
     out.summary = summary(plan);
     out.verification = verification(plan.verification);
     out.bound = bound(plan.bound);
-    out.details = details(asked.probe, asked.notes, plan);
+    std::vector<std::string> remarks = asked.notes;
+    for (std::string& note : notes(asked.probe, plan)) remarks.push_back(std::move(note));
+    out.details = details(asked.probe, remarks, plan);
     progress.report("drawing", 1);
     out.drawings = {{"path.svg", probe_path_drawing(plan)}, {"motion.svg", probe_motion_drawing(plan, progress)}};
     out.setpoints = std::move(plan.setpoints);

@@ -13,6 +13,9 @@ ProbeRequest request(const nlohmann::json& spec);
 /// Returns sentences on what the document contains and the plan does not use.
 std::vector<std::string> notes(const nlohmann::json& spec);
 
+/// Returns sentences on the plan: that the head rests at every corner, and why.
+std::vector<std::string> notes(const ProbeRequest& request, const ProbePlan& plan);
+
 /// Returns the result's details: methods, points, phases, pieces.
 nlohmann::ordered_json details(const ProbeRequest& request, const std::vector<std::string>& notes,
                                const ProbePlan& plan);

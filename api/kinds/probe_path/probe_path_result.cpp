@@ -1,6 +1,8 @@
 // Members of a result of kind "probe_path" beside its figures.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "api/kinds/probe_path/probe_path.hpp"
 
@@ -62,6 +64,20 @@ ordered_json pieces(const ProbePlan& plan) {
 }
 
 }  // namespace
+
+std::vector<std::string> notes(const ProbeRequest& request, const ProbePlan& plan) {
+  std::size_t rests = 0;
+  for (const ProbePhase& phase : plan.motion.phases) {
+    if (phase.kind == ProbePhaseKind::turn || phase.kind == ProbePhaseKind::interval) return {};
+    rests += phase.kind == ProbePhaseKind::rest ? 1 : 0;
+  }
+  if (request.method == ProbeMethod::optimal || rests == 0) return {};
+  const std::string where = "the head rests at " + std::to_string(rests) +
+                            (rests == 1 ? " point, every corner" : " points, every corner") + ": ";
+  if (!(request.problem.tolerance > 0)) return {where + "tolerance is 0, so the path has to follow the edges"};
+  return {where + "no " + std::string(request.method == ProbeMethod::spline ? "spline or turn" : "turn") +
+          " was found that stays within tolerance of the edges and takes less time than a rest"};
+}
 
 ordered_json details(const ProbeRequest& request, const std::vector<std::string>& notes, const ProbePlan& plan) {
   return {{"method", name_of<ProbeMethod>(request.method, probe_methods)},

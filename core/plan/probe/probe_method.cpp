@@ -7,6 +7,7 @@
 #include "core/base/progress_part.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/optimal/optimal.hpp"
+#include "core/probe/rest_sections.hpp"
 #include "core/probe/spline/spline.hpp"
 #include "core/verify/probe/probe_bound.hpp"
 
@@ -20,6 +21,13 @@ ProbeMotion optimal(const ProbeProblem& problem, Progress& progress) {
   return plan_optimal(problem, starts, part);
 }
 
+/// A spline where it is quicker than straights with turns, which it is not where edges are long beside the tube.
+ProbeMotion spline_or_turns(const ProbeProblem& problem, Progress& progress) {
+  std::vector<ProbeMotion> plans{plan_spline(problem, progress, 0, 0.4)};
+  plans.push_back(plan_arcs(problem, progress, 0.4, 0.7));
+  return probe::quickest_sections(problem, std::move(plans));
+}
+
 struct ProbeMethodRow {
   ProbeMethod method;
   ProbeMotion (*plan)(const ProbeProblem&, Progress&);
@@ -27,7 +35,7 @@ struct ProbeMethodRow {
 constexpr ProbeMethodRow rows[] = {
     {ProbeMethod::optimal, optimal},
     {ProbeMethod::arcs, [](const ProbeProblem& p, Progress& progress) { return plan_arcs(p, progress, 0, 0.7); }},
-    {ProbeMethod::spline, [](const ProbeProblem& p, Progress& progress) { return plan_spline(p, progress, 0, 0.7); }},
+    {ProbeMethod::spline, spline_or_turns},
 };
 
 }  // namespace
@@ -41,10 +49,8 @@ ProbeMotion probe_motion(const ProbeRequest& request, Progress& progress) {
 Bound probe_bound_of(const ProbeRequest& request, Progress& progress, double from, double to) {
   ProgressPart part(progress, "bound", from, to);
   // A bound that costs more than the plan is for the method that comes near to it.
-  constexpr std::size_t many = 1000;
-  const ProbeProblem& problem = request.problem;
-  const bool quick = request.method != ProbeMethod::optimal && problem.points.size() > many;
-  return quick ? quick_probe_bound(problem) : probe_bound(problem, part);
+  constexpr std::size_t thorough = 1000, quick = 40;
+  return probe_bound(request.problem, part, request.method == ProbeMethod::optimal ? thorough : quick);
 }
 
 }  // namespace bahnwerk

@@ -10,7 +10,7 @@ class Progress;
 /// Returns the motion of the request's method. Reports progress up to 0.7.
 ProbeMotion probe_motion(const ProbeRequest& request, Progress& progress);
 
-/// Returns the proven bound on the duration: for more than 1000 points and methods other than optimal the quick one.
+/// Returns the proven bound on the duration; its cost is limited to some seconds for methods other than optimal.
 /// Reports progress between `from` and `to`.
 Bound probe_bound_of(const ProbeRequest& request, Progress& progress, double from, double to);
 

@@ -9,8 +9,9 @@
 #include "core/probe/arcs/speed_choice.hpp"
 #include "core/probe/arcs/turn_path.hpp"
 #include "core/probe/lasting_phases.hpp"
-#include "core/probe/straight/straight.hpp"
-#include "core/probe/tighter.hpp"
+#include "core/probe/reachable_speed.hpp"
+#include "core/probe/rest_sections.hpp"
+#include "core/probe/straight/rows.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -26,19 +27,24 @@ TurnSpeeds all_rests(const ProbeProblem& problem, const std::vector<std::size_t>
   }
 }
 
+constexpr std::size_t many = 100;  // points from which on fewer speeds are compared
+
 /// Candidates of one round of the search: shares of what the tube admits, factors of the speed found before.
 struct Round {
   std::vector<double> shares, factors;
 };
 const std::vector<Round>& rounds_for(std::size_t points) {
-  static const std::vector<Round> thorough{{{1, 0.85, 0.7, 0.55, 0.42, 0.3, 0.2, 0.1}, {}},
-                                           {{1, 0.6, 0.3}, {0.7, 0.84, 0.92, 1.08, 1.18, 1.4}},
+  static const auto ladder = [](double ratio) {
+    std::vector<double> shares{1};
+    while (shares.back() > 0.02) shares.push_back(ratio * shares.back());
+    return shares;
+  };
+  static const std::vector<Round> thorough{{ladder(0.88), {}},
+                                           {{1, 0.6, 0.3}, {0.75, 0.87, 0.93, 1.07, 1.15, 1.33}},
                                            {{1, 0.5}, {0.93, 0.97, 1.03, 1.07}},
                                            {{1}, {0.98, 0.99, 1.01, 1.02}},
                                            {{}, {0.995, 0.998, 1.002, 1.005}}};
-  static const std::vector<Round> quick{
-      {{1, 0.75, 0.55, 0.4, 0.25, 0.1}, {}}, {{0.5}, {0.8, 0.92, 1.1, 1.3}}, {{}, {0.96, 1.04}}};
-  constexpr std::size_t many = 100;
+  static const std::vector<Round> quick{{ladder(0.75), {}}, {{0.5}, {0.8, 0.92, 1.1, 1.3}}, {{}, {0.96, 1.04}}};
   return points > many ? quick : thorough;
 }
 
@@ -63,103 +69,82 @@ std::vector<Vec> edge_directions(const ProbeProblem& problem) {
 /// Straights and turns for one problem: the quickest path that is found. Refers to the problem.
 class ArcSearch {
  public:
-  explicit ArcSearch(const ProbeProblem& problem)
-      : problem_(problem),
-        row_end_(straight_rows(problem)),
-        choice_(problem, row_end_),
-        best_(problem, all_rests(problem, row_end_)) {
+  /// `row_end` as straight_rows() has it.
+  ArcSearch(const ProbeProblem& problem, const std::vector<std::size_t>& row_end)
+      : problem_(problem), choice_(problem, row_end), best_(problem, all_rests(problem, row_end)) {
     shortest_ = best_.duration();
   }
 
-  const TurnPath& best() const { return best_; }
-  double duration() const { return shortest_; }
-  /// Returns whether all points are in one row, so that there is nothing to choose.
-  bool single() const { return best_.nodes() == 2; }
+  /// Alternates between speeds and directions; then begins with the quickest path and searches closer and closer about
+  /// it, for as long as that helps. Of few points, it begins twice: with the directions of the edges, as if the head
+  /// rested, and with those of turns at the largest speeds.
+  const TurnPath& search(ProgressScope& scope) {
+    const std::vector<Vec> edges = edge_directions(problem_);
+    alternate(edges, scope);
+    if (problem_.points.size() > many) return best_;
+    alternate(turned(edges, scope), scope);
+    polish(scope);
+    return best_;
+  }
 
-  /// Alternates between speeds and directions, from the edges' directions on.
-  void search(ProgressScope& scope) {
-    std::vector<Vec> directions = edge_directions(problem_);
+ private:
+  void alternate(std::vector<Vec> directions, ProgressScope& scope) {
     std::optional<TurnSpeeds> near;
-    const std::vector<Round>& rounds = rounds_for(problem_.points.size());
-    for (std::size_t k = 0; k < rounds.size(); ++k) {
-      near = choice_.choose(directions, rounds[k].shares, near ? &*near : nullptr, rounds[k].factors, scope);
+    for (const Round& round : rounds_for(problem_.points.size())) {
+      near = choice_.choose(directions, round.shares, near ? &*near : nullptr, round.factors, scope);
       TurnPath path(problem_, *near);
-      path.solve(k + 1 < rounds.size() ? 1e-9 : 1e-15, scope);
+      path.solve(1e-9, scope);
       directions = spread(problem_, path);
       offer(std::move(path), scope);
     }
   }
-  /// Begins with the quickest path and searches closer and closer about it, for as long as that helps.
-  void polish(ProgressScope& scope) { polish(best_, shortest_, scope); }
-  /// Begins with speeds and directions of a path that keeps more than this problem asks for.
-  void adopt(const TurnPath& other, ProgressScope& scope) {
-    constexpr double promising = 1.003;
-    const double known = shortest_;
-    TurnPath path(problem_, other.speeds());
-    path.start_from(other.directions());
-    path = offer(std::move(path), scope);
-    const double duration = path.duration();
-    // A search that ends where another one has ended before finds that path again.
-    if (duration != known && duration < promising * shortest_) polish(std::move(path), duration, scope);
+  std::vector<Vec> turned(const std::vector<Vec>& directions, ProgressScope& scope) const {
+    TurnSpeeds all{{}, choice_.largest_speeds(directions)};
+    for (std::size_t i = 0; i < all.speed.size(); ++i) all.node.push_back(i);
+    TurnPath path(problem_, std::move(all));
+    path.solve(1e-9, scope);
+    return path.directions();
   }
-
- private:
-  void polish(TurnPath path, double duration, ProgressScope& scope) {
+  void polish(ProgressScope& scope) {
     constexpr int most = 9;
     constexpr double worth_while = 1e-5;
     static const std::vector<double> shares{1, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}, none;
     double width = 0.1;
     for (int round = 0; round < most && width > 1e-4; ++round) {
-      const TurnSpeeds near = path.speeds();
+      const double before = shortest_;
       const std::vector<double> factors{1 - 2 * width, 1 - width, 1 - width / 3, 1 + width / 3, 1 + width};
-      TurnPath next = offer(
-          {problem_, choice_.choose(spread(problem_, path), shares, &near, factors, scope, round == 0 ? shares : none)},
-          scope);
-      const double before = duration;
-      if (const double now = next.duration(); now < duration) path = std::move(next), duration = now;
-      if (!(duration < before * (1 - worth_while))) width /= 3;
+      offer({problem_, choice_.choose(spread(problem_, best_), shares, &best_.speeds(), factors, scope,
+                                      round == 0 ? shares : none)},
+            scope);
+      if (!(shortest_ < before * (1 - worth_while))) width /= 3;
     }
   }
-  /// The path with turns and straights that fit; it becomes the best one if it is.
-  TurnPath offer(TurnPath path, ProgressScope& scope) {
+  /// Makes turns and straights fit; the path becomes the best one if it is.
+  void offer(TurnPath path, ProgressScope& scope) {
     path.solve(1e-15, scope);
     path.repair(scope);
-    path.prefer_rests(row_end_);
-    if (const double duration = path.duration(); duration < shortest_) shortest_ = duration, best_ = path;
-    return path;
+    if (const double duration = path.duration(); duration < shortest_) shortest_ = duration, best_ = std::move(path);
   }
 
   const ProbeProblem& problem_;
-  std::vector<std::size_t> row_end_;
   SpeedChoice choice_;
   TurnPath best_;
   double shortest_ = 0;
 };
 
-/// The quickest path that is found for the problem and for tighter ones. Progress covers the scope's part [begin, 1].
-ProbeMotion search_arcs(const ProbeProblem& problem, double begin, ProgressScope& scope) {
-  const ProbeProblem reachable = with_reachable_speed(problem);
-  ArcSearch search(reachable);
-  if (search.single()) return search.best().write(scope);
-  // Each further problem costs as much as the first one, which is seconds for some hundred points.
-  constexpr std::size_t many = 100;
-  constexpr double first = 0.1;  // share of the progress at which further problems begin
-  const auto part = [&](double from, double to) { scope.part(begin + (1 - begin) * from, begin + (1 - begin) * to); };
-  const bool further = problem.points.size() <= many;
-  part(0, further ? first : 1);
-  search.search(scope);
-  if (!further) return search.best().write(scope);
-  search.polish(scope);
-  std::vector<ProbeProblem> problems = slower_problems(reachable, search.duration());
-  for (ProbeProblem& weaker : weaker_problems(reachable)) problems.push_back(std::move(weaker));
-  for (std::size_t i = 0; i < problems.size(); ++i) {
-    const auto n = static_cast<double>(problems.size()), at = static_cast<double>(i);
-    part(first + (1 - first) * at / n, first + (1 - first) * (at + 1) / n);
-    ArcSearch tighter(problems[i]);
-    tighter.search(scope);
-    search.adopt(tighter.best(), scope);
-  }
-  return search.best().write(scope);
+/// The quickest sections of the paths through all points, through those that are left of points in a row, and of rests
+/// at the ends of rows.
+ProbeMotion search_arcs(const ProbeProblem& given, ProgressScope& scope) {
+  const ProbeProblem problem = with_reachable_speed(given);
+  const std::vector<std::size_t> row_end = straight_rows(problem);
+  std::vector<ProbeMotion> plans{TurnPath(problem, all_rests(problem, row_end)).write(scope)};
+  if (row_end[0] + 1 == problem.points.size()) return plans.front();
+  plans.push_back(ArcSearch(problem, row_end).search(scope).write(scope));
+  scope.half_of_rest();
+  const ThinnedProblem thin = thinned(problem);
+  if (thin.point.size() < problem.points.size())
+    plans.push_back(with_all_points(problem, thin, ArcSearch(thin.problem, thin.next).search(scope).write(scope)));
+  return quickest_sections(problem, std::move(plans));
 }
 
 }  // namespace
@@ -168,7 +153,7 @@ ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double pr
   ProgressScope scope(progress, "arcs", progress_from, progress_to);
   scope.report();
   return with_lasting_phases(
-      problem, search_arcs(problem, 0, scope), [&](const ProbeProblem& eased) { return search_arcs(eased, 1, scope); },
+      problem, search_arcs(problem, scope), [&](const ProbeProblem& eased) { return search_arcs(eased, scope); },
       scope);
 }
 

@@ -10,6 +10,7 @@ namespace bahnwerk::probe {
 namespace {
 constexpr double length_rounding = 1e-9;  // relative to an edge: room for the rounding of directions
 constexpr int speed_steps = 50;           // steps of the bisection for a speed: to 1e-15 of the interval
+constexpr int reach_steps = 40;
 }  // namespace
 
 SpeedChoice::SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end)
@@ -23,49 +24,53 @@ double SpeedChoice::largest_speed(std::size_t i, const Turn& turn, Vec in, Vec o
     const TurnSize size = turn.size(speed);
     if (size.length > room) return false;
     const Vec apex = turn.apex(point, size);
-    const double allowed = problem_.tolerance + rounding_;
-    return distance_from_edge(apex - size.length * in, before, point) <= allowed &&
-           distance_from_edge(apex + size.length * out, point, after) <= allowed;
+    return distance_from_edge(apex - size.length * in, before, point) <= problem_.tube(i - 1) + rounding_ &&
+           distance_from_edge(apex + size.length * out, point, after) <= problem_.tube(i) + rounding_;
   };
   if (fits(problem_.speed)) return problem_.speed;
   return bisect(0, problem_.speed, 0, speed_steps, fits).low;
 }
 
-void SpeedChoice::lower_to_reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions, bool backwards,
-                                     std::vector<double>& speed) const {
+std::vector<double> SpeedChoice::reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions,
+                                           bool backwards, std::vector<double> speed) const {
   const std::size_t n = speed.size();
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const std::size_t i = backwards ? n - 1 - k : k, last = backwards ? i + 1 : i - 1, edge = std::min(i, last);
     const ProfileLimits limits = limits_along(problem_, directions[edge]);
     const double length = norm(problem_.points[edge + 1] - problem_.points[edge]) * (1 - 2 * length_rounding);
-    // A slower turn before leaves more of the edge.
-    double reached = 0;
-    for (const double share : {1.0, 0.5, 0.0}) {
-      const double from = share * speed[last];
-      const double room = length - (from > 0 ? turns[last].size(from).length : 0);
-      const auto fits = [&](double v) {
-        const double straight = room - turns[i].size(v).length;
-        return straight >= 0 && (v <= from || straight >= min_distance(from, v, limits));
+    const auto reaches = [&](double v) {
+      const double room = length - turns[i].size(v).length;
+      const auto from = [&](double u) {
+        const double straight = room - (u > 0 ? turns[last].size(u).length : 0);
+        return straight >= 0 && (v <= u || straight >= min_distance(u, v, limits));
       };
-      if (fits(speed[i])) {
-        reached = speed[i];
-        break;
-      }
-      // The acceleration alone is exceeded beyond.
-      const double high = std::min(speed[i], std::sqrt(from * from + 2 * limits.acceleration * length));
-      reached = std::max(reached, bisect(0, high, 0, speed_steps, fits).low);
-    }
-    speed[i] = reached;
+      if (v <= speed[last] && from(v)) return true;
+      // A slower turn before leaves more of the edge.
+      for (const double share : {1.0, 0.8, 0.6, 0.4, 0.0})
+        if (share * speed[last] < v && from(share * speed[last])) return true;
+      return false;
+    };
+    if (!reaches(speed[i])) speed[i] = bisect(0, speed[i], 0, reach_steps, reaches).low;
   }
+  return speed;
 }
 
-std::vector<double> SpeedChoice::largest_speeds(const std::vector<Turn>& turns,
-                                                const std::vector<Vec>& directions) const {
+std::vector<Turn> SpeedChoice::turns_of(const std::vector<Vec>& directions) const {
+  const std::size_t n = problem_.points.size();
+  std::vector<Turn> turns;
+  for (std::size_t i = 0; i < n; ++i)
+    turns.emplace_back(problem_, directions[i > 0 ? i - 1 : 0], directions[std::min(i, n - 2)]);
+  return turns;
+}
+
+std::vector<double> SpeedChoice::largest_speeds(const std::vector<Vec>& directions) const {
+  const std::vector<Turn> turns = turns_of(directions);
   std::vector<double> speed(problem_.points.size(), 0.0);
   for (std::size_t i = 1; i + 1 < speed.size(); ++i)
     speed[i] = largest_speed(i, turns[i], directions[i - 1], directions[i]);
-  lower_to_reachable(turns, directions, false, speed);
-  lower_to_reachable(turns, directions, true, speed);
+  const std::vector<double> reached = reachable(turns, directions, false, speed),
+                            braked = reachable(turns, directions, true, speed);
+  for (std::size_t i = 0; i < speed.size(); ++i) speed[i] = std::min(reached[i], braked[i]);
   return speed;
 }
 
@@ -96,10 +101,8 @@ TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::ve
   std::vector<double> speed_before(n, 0);
   if (near)
     for (std::size_t i = 0; i < near->node.size(); ++i) speed_before[near->node[i]] = near->speed[i];
-  std::vector<Turn> turns;
-  for (std::size_t i = 0; i < n; ++i)
-    turns.emplace_back(problem_, directions[i > 0 ? i - 1 : 0], directions[std::min(i, n - 2)]);
-  const std::vector<double> largest = largest_speeds(turns, directions);
+  const std::vector<Turn> turns = turns_of(directions);
+  const std::vector<double> largest = largest_speeds(directions);
   progress.work(10 * n);
   std::vector<Candidates> all(n);
   all[0].resize(1);

@@ -22,6 +22,10 @@ class SpeedChoice {
                     const std::vector<double>& factors, ProgressScope& progress,
                     const std::vector<double>& anywhere = {}) const;
 
+  /// Returns the largest speed per point that the tube admits, that can be reached from the start and braked from to
+  /// the end. A nominal speed that cannot be reached changes nothing.
+  std::vector<double> largest_speeds(const std::vector<Vec>& directions) const;
+
  private:
   struct Candidate {
     double speed = 0;
@@ -32,12 +36,11 @@ class SpeedChoice {
     bool by_row = false;  // whether it comes from a rest at the begin of the row that ends here
   };
   using Candidates = std::vector<Candidate>;
+  std::vector<Turn> turns_of(const std::vector<Vec>& directions) const;
   double largest_speed(std::size_t i, const Turn& turn, Vec in, Vec out) const;
-  /// Returns the largest speed per point that the tube admits and that can be reached from the start and braked from to
-  /// the end. A nominal speed that cannot be reached changes nothing.
-  std::vector<double> largest_speeds(const std::vector<Turn>& turns, const std::vector<Vec>& directions) const;
-  void lower_to_reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions, bool backwards,
-                          std::vector<double>& speed) const;
+  /// Returns the speeds, at most `speed`, that can be reached from the start, or braked from to the end.
+  std::vector<double> reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions, bool backwards,
+                                std::vector<double> speed) const;
   void connect(std::size_t edge, Vec direction, const Candidates& from, Candidates& to) const;
 
   const ProbeProblem& problem_;

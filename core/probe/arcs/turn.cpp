@@ -62,12 +62,12 @@ TurnSize Turn::size(double speed) const {
   return size;
 }
 
-double Turn::deviation(double speed, Vec before, Vec point, Vec after, double enough) const {
+double Turn::deviation(double speed, const Edges& edges, double enough) const {
   std::array<Phase, 4> phases;
   const std::size_t n = rise(speed, phases);
   if (n == 0) return enough;
   const TurnSize whole = size(speed);
-  const Vec apex = this->apex(point, whole);
+  const Vec apex = this->apex(edges.point, whole);
   double most = enough;
   for (const bool first : {true, false}) {
     // The second half is the first one backwards in time, from the exit with −d_out to the point: −d_in + d_out is the
@@ -80,7 +80,8 @@ double Turn::deviation(double speed, Vec before, Vec point, Vec after, double en
       const std::array piece{begin + (speed * t) * direction + p.way * change, speed * direction + p.gain * change,
                              (p.a / 2) * change, (p.j / 6) * change, (p.snap / 24) * change};
       const auto distance = [&](Vec x) {
-        return first ? distance_from_edge(x, before, point) : distance_from_edge(x, point, after);
+        return first ? distance_from_edge(x, edges.before, edges.point) / edges.tube_in
+                     : distance_from_edge(x, edges.point, edges.after) / edges.tube_out;
       };
       most = peak_of(bezier(piece.data(), piece.size(), p.duration), distance, most, 1e-6);
       t += p.duration;

@@ -21,43 +21,56 @@ TurnPath::TurnPath(const ProbeProblem& problem, TurnSpeeds speeds)
       speeds_(std::move(speeds)),
       size_(speeds_.node.size()),
       offset_(speeds_.node.size()),
-      rounding_(coordinate_rounding(problem)) {
+      rounding_(coordinate_rounding(problem)),
+      unsettled_(nodes()),
+      unchecked_(nodes()) {
   for (std::size_t i = 0; i + 1 < nodes(); ++i) direction_.push_back(unit(point(i + 1) - point(i)));
-  measure();
 }
 
-void TurnPath::measure() {
-  for (std::size_t i = 0; i < nodes(); ++i) {
-    size_[i] = {};
-    offset_[i] = {};
-    if (!turns(i)) continue;
-    const Turn turn = this->turn(i);
-    size_[i] = turn.size(speeds_.speed[i]);
-    offset_[i] = turn.apex({}, size_[i]);
-  }
+void TurnPath::measure(std::size_t i) {
+  size_[i] = {};
+  offset_[i] = {};
+  if (!turns(i)) return;
+  const Turn turn = this->turn(i);
+  size_[i] = turn.size(speeds_.speed[i]);
+  offset_[i] = turn.apex({}, size_[i]);
+}
+
+double TurnPath::tube(std::size_t i) const {
+  const bool edge = speeds_.node[i] + 1 == speeds_.node[i + 1];
+  return (edge ? problem_->tube(speeds_.node[i]) : problem_->tolerance) + rounding_;
 }
 
 void TurnPath::solve(double close, ProgressScope& progress) {
   constexpr int most = 100;
   double before = 1;
   for (int step = 0; step < most; ++step) {
-    measure();
+    const std::vector<std::size_t> changed = unsettled_.take();
+    for (const std::size_t i : changed) measure(i), unchecked_.add(i);
     double moved = 0;
-    for (std::size_t i = 0; i + 1 < nodes(); ++i) {
+    const auto turn_edge = [&](std::size_t i) {
       const Vec to_next = way(i);
       const double length = norm(to_next);
-      if (!(length > 0)) continue;
+      if (!(length > 0)) return;
       const Vec next = to_next / length;
+      if (next == direction_[i]) return;
       moved = std::max(moved, norm(next - direction_[i]));
       direction_[i] = next;
+      unsettled_.add(i), unsettled_.add(i + 1);
+    };
+    for (const std::size_t i : changed) {
+      if (i > 0) turn_edge(i - 1);
+      if (i + 1 < nodes()) turn_edge(i);
     }
-    progress.work(nodes());
+    progress.work(changed.size());
     // Where rounding moves directions no step is smaller than the one before.
     if (moved <= close || (moved < 1e-13 && moved >= before)) break;
     before = moved;
   }
-  align();
-  measure();
+  for (const std::size_t i : unsettled_.take()) {
+    measure(i), unchecked_.add(i);
+    if (close > 1e-15) unsettled_.add(i);
+  }
 }
 
 void TurnPath::align() {
@@ -75,81 +88,64 @@ double TurnPath::straight_duration(std::size_t i) const {
       .duration;
 }
 
+bool TurnPath::straight_fits(std::size_t i) const {
+  const double length = straight_length(i);
+  return length >= 0 && dot(way(i), point(i + 1) - point(i)) > 0 &&
+         length >=
+             lengthening * min_distance(speeds_.speed[i], speeds_.speed[i + 1], limits_along(*problem_, direction_[i]));
+}
+
+bool TurnPath::turn_fits(std::size_t i) const {
+  const Turn::Edges edges{point(i - 1), point(i), point(i + 1), tube(i - 1), tube(i)};
+  return turn(i).deviation(speeds_.speed[i], edges, 1) <= 1;
+}
+
 void TurnPath::repair(ProgressScope& progress) {
   constexpr int most_lowerings = 40;
   constexpr double negligible = 0.02;  // share of the requested speed below which the head rests instead
   const std::vector<double> asked = speeds_.speed;
   std::vector<int> lowered(nodes(), 0);
-  std::vector<double> factor(nodes());
+  std::vector<double> factor(nodes(), 1.0);
+  NodeSet lower_nodes(nodes());
+  lower_nodes.take();
   for (;;) {
-    std::fill(factor.begin(), factor.end(), 1.0);
-    bool right = true;
+    const std::vector<std::size_t> seen = unchecked_.take();
     // Speeds are lowered by little at first: neighbours give way, too.
     const auto lower = [&](std::size_t i) {
-      right = false;
+      if (!turns(i)) return;
       factor[i] = std::min(factor[i], 1 - std::min(0.5, 0.004 * (1 << std::min(lowered[i], 8))));
+      lower_nodes.add(i);
     };
-    for (std::size_t i = 0; i + 1 < nodes(); ++i) {
-      const double v = speeds_.speed[i], w = speeds_.speed[i + 1], length = straight_length(i);
-      const bool opposite = dot(way(i), point(i + 1) - point(i)) <= 0;
-      const bool fits = !opposite && length >= 0 &&
-                        length >= lengthening * min_distance(v, w, limits_along(*problem_, direction_[i]));
-      if (fits) continue;
-      if (v >= w || length < 0 || opposite) lower(i);
-      if (w >= v || length < 0 || opposite) lower(i + 1);
-    }
-    for (std::size_t i = 1; i + 1 < nodes(); ++i) {
-      if (!turns(i)) continue;
-      const double deviation =
-          turn(i).deviation(speeds_.speed[i], point(i - 1), point(i), point(i + 1), problem_->tolerance + rounding_);
-      if (deviation <= problem_->tolerance + rounding_) continue;
+    const auto check_straight = [&](std::size_t i) {
+      if (straight_fits(i)) return;
+      const double v = speeds_.speed[i], w = speeds_.speed[i + 1];
+      const bool crossed = straight_length(i) < 0 || dot(way(i), point(i + 1) - point(i)) <= 0;
+      if (v >= w || crossed) lower(i);
+      if (w >= v || crossed) lower(i + 1);
+    };
+    const auto check_turn = [&](std::size_t i) {
+      if (!turns(i) || turn_fits(i)) return;
       lower(i);
       // The edge's other end moves the straight, too.
-      if (i > 1 && turns(i - 1) && lowered[i] > 4) lower(i - 1);
-      if (i + 2 < nodes() && turns(i + 1) && lowered[i] > 4) lower(i + 1);
+      if (lowered[i] > 4) lower(i - 1), lower(i + 1);
+    };
+    for (const std::size_t i : seen) {
+      if (i > 0) check_straight(i - 1);
+      if (i + 1 < nodes()) check_straight(i);
+      check_turn(i);
     }
-    if (right) return;
-    for (std::size_t i = 1; i + 1 < nodes(); ++i) {
-      if (factor[i] == 1) continue;
+    progress.work(10 * seen.size());
+    const std::vector<std::size_t> list = lower_nodes.take();
+    if (list.empty()) break;
+    for (const std::size_t i : list) {
       speeds_.speed[i] *= factor[i];
+      factor[i] = 1;
       if (++lowered[i] > most_lowerings || speeds_.speed[i] < negligible * asked[i]) speeds_.speed[i] = 0;
+      unsettled_.add(i), unchecked_.add(i);
     }
-    progress.work(10 * nodes());
     solve(1e-15, progress);
   }
-}
-
-void TurnPath::prefer_rests(const std::vector<std::size_t>& row_end) {
-  TurnSpeeds kept;
-  std::vector<Vec> directions;
-  const auto add = [&](std::size_t node, double speed, Vec direction) {
-    kept.node.push_back(node);
-    kept.speed.push_back(speed);
-    directions.push_back(direction);
-  };
-  for (std::size_t a = 0; a + 1 < nodes();) {
-    std::size_t b = a + 1;
-    double turning = straight_duration(a), resting = 0;
-    for (; turns(b); ++b) turning += size_[b].duration + straight_duration(b);
-    const std::size_t first = speeds_.node[a], last = speeds_.node[b];
-    const auto next = [&](std::size_t i) { return std::min(last, row_end[i]); };
-    for (std::size_t i = first; i < last && resting <= turning; i = next(i))
-      resting += rest_to_rest_duration(*problem_, i, next(i));
-    if (resting <= turning) {
-      for (std::size_t i = first; i < last; i = next(i))
-        add(i, 0, unit(problem_->points[next(i)] - problem_->points[i]));
-    } else {
-      for (std::size_t i = a; i < b; ++i) add(speeds_.node[i], speeds_.speed[i], direction_[i]);
-    }
-    a = b;
-  }
-  kept.node.push_back(speeds_.node.back());
-  kept.speed.push_back(0);
-  speeds_ = std::move(kept);
-  direction_ = std::move(directions);
-  size_.resize(nodes());
-  offset_.resize(nodes());
-  measure();
+  align();
 }
 
 double TurnPath::duration() const {

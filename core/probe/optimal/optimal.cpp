@@ -9,7 +9,7 @@
 #include "core/probe/figures.hpp"
 #include "core/probe/optimal/chain_motion.hpp"
 #include "core/probe/optimal/windows.hpp"
-#include "core/probe/tighter.hpp"
+#include "core/probe/reachable_speed.hpp"
 #include "core/probe/within_limits.hpp"
 
 namespace bahnwerk {

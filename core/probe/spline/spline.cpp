@@ -4,16 +4,17 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
+#include "core/probe/reachable_speed.hpp"
+#include "core/probe/rest_sections.hpp"
 #include "core/probe/spline/spline_run.hpp"
+#include "core/probe/straight/rows.hpp"
 #include "core/probe/straight/stops.hpp"
 #include "core/probe/straight/straight.hpp"
-#include "core/probe/tighter.hpp"
 #include "core/probe/within_limits.hpp"
 
 namespace bahnwerk {
@@ -29,8 +30,9 @@ struct Section {
 
 class SplinePlanner {
  public:
-  SplinePlanner(const ProbeProblem& problem, bool jerks)
-      : problem_(problem), jerks_(jerks), many_(has_many_points(problem)), row_end_(straight_rows(problem)) {}
+  /// `row_end` as straight_rows() has it.
+  SplinePlanner(const ProbeProblem& problem, const std::vector<std::size_t>& row_end, bool jerks)
+      : problem_(problem), row_end_(row_end), jerks_(jerks), many_(has_many_points(problem)) {}
 
   void solve(ProgressScope& progress) {
     // Parts that are still to be planned, the first one on top.
@@ -68,7 +70,8 @@ class SplinePlanner {
       divide(first, end);
     }
     prefer_whole();
-    prefer_rows();
+    duration_ = 0;
+    for (const Section& section : sections_) duration_ += duration_of(section);
   }
 
   double duration() const { return duration_; }
@@ -127,36 +130,6 @@ class SplinePlanner {
     }
     sections_ = std::move(kept);
   }
-  /// Rests within a row cost time: where sections begin and end with rows, rows from rest to rest are taken if they are
-  /// quicker.
-  void prefer_rows() {
-    std::vector<char> begins_row(problem_.points.size(), 0);
-    for (std::size_t i = 0; i + 1 < problem_.points.size(); i = row_end_[i]) begins_row[i] = 1;
-    begins_row.back() = 1;
-    std::vector<Section> kept;
-    double total = 0;
-    for (std::size_t a = 0; a < sections_.size();) {
-      const std::size_t first = sections_[a].first;
-      double planned = 0;
-      std::size_t b = a;
-      do {
-        const Section& s = sections_[b];
-        planned += duration_of(s);
-        ++b;
-      } while (!begins_row[sections_[b - 1].last]);
-      const std::size_t last = sections_[b - 1].last;
-      if (const double rows = resting(first, last); rows <= planned) {
-        total += rows;
-        for (std::size_t i = first; i < last; i = next(i, last)) kept.push_back({i, next(i, last), nullptr});
-      } else {
-        total += planned;
-        for (std::size_t i = a; i < b; ++i) kept.push_back(std::move(sections_[i]));
-      }
-      a = b;
-    }
-    sections_ = std::move(kept);
-    duration_ = total;
-  }
   void write(MotionWriter& writer, const Section& section, ProgressScope& progress) const {
     const SplineRun& run = *section.run;
     writer.aim(problem_.points[section.first]);
@@ -175,97 +148,89 @@ class SplinePlanner {
   }
 
   const ProbeProblem& problem_;
+  const std::vector<std::size_t>& row_end_;
   bool jerks_, many_;
-  std::vector<std::size_t> row_end_;
   std::vector<Section> sections_, whole_;  // sections in order of points; those that were divided, outer ones first
   double duration_ = 0;
 };
 
-/// The quickest plan for the problem and for tighter ones.
+/// The quickest spline of all speeds at which the points may be passed in the middle of the way: the times of a spline
+/// are scaled as a whole in the end, so that a lower speed leaves more of the limits to where speeds change.
 class SplineSearch {
  public:
-  SplineSearch(const ProbeProblem& problem, ProgressScope& scope)
-      : problem_(with_reachable_speed(problem)), scope_(scope) {}
+  /// `row_end` as straight_rows() has it.
+  SplineSearch(const ProbeProblem& problem, const std::vector<std::size_t>& row_end, ProgressScope& scope)
+      : problem_(problem), row_end_(row_end), scope_(scope) {}
 
-  const SplinePlanner& best() const { return *best_; }
-
-  void search() {
-    scope_.part(0, 0.1);
+  ProbeMotion search() {
     const std::size_t points = problem_.points.size();
-    starts_.push_back(offer(problem_, true));
-    if (has_many_points(problem_)) return;
-    starts_.push_back(offer(problem_, false));
-    offer_all(slower_problems(problem_, best_->duration()));
-    offer_all(weaker_problems(problem_));
-    // A change that helps at the speed of the best plan may do nothing at the given one.
-    if (starts_.front().problem != &problem_ && points <= some) offer_all(weaker_problems(*starts_.front().problem));
-    starts_.resize(std::min<std::size_t>(starts_.size(), points <= few ? 3 : points <= some ? 1 : 0));
-    for (const Candidate& start : starts_) improve(start);
+    offer(problem_.speed);
+    if (points <= some) {
+      scope_.half_of_rest();
+      for (const double share : {0.95, 0.85}) offer(share * problem_.speed);
+      // The speeds are shares of what the path admits, which hardly depend on the nominal one. No motion through the
+      // points is quicker at a lower speed than length / duration.
+      const double length = polyline_length(problem_), highest = unreachable_speed(problem_),
+                   ratio = std::exp2(points <= few ? -1.0 / 3 : -0.5);
+      for (double speed = highest; speed > length / best_->duration(); speed *= ratio)
+        if (speed < problem_.speed) offer(speed);
+      scope_.half_of_rest();
+      for (double step = std::sqrt(ratio); step < closest; step = std::sqrt(step)) {
+        const double centre = best_speed_;
+        offer(centre * step);
+        if (centre / step < problem_.speed) offer(centre / step);
+      }
+    }
+    return best_->write(scope_);
   }
 
  private:
-  static constexpr std::size_t few = 40, some = 100;  // points: up to there hundreds of plans take less than a second
+  static constexpr std::size_t few = 100, some = 300;  // points up to which more speeds are tried
+  static constexpr double closest = 0.98;
 
-  struct Candidate {
-    double duration;
-    const ProbeProblem* problem;
-    bool jerks;
-  };
-
-  void offer_all(std::vector<ProbeProblem> problems) {
-    scope_.half_of_rest();
-    for (ProbeProblem& problem : problems) {
-      tighter_.push_back(std::move(problem));
-      for (const bool jerks : {true, false}) starts_.push_back(offer(tighter_.back(), jerks));
+  void offer(double speed) {
+    ProbeProblem& slower = problems_.emplace_back(problem_);
+    slower.speed = speed;
+    for (const bool jerks : {true, false}) {
+      if (!jerks && has_many_points(problem_)) continue;
+      SplinePlanner planner(slower, row_end_, jerks);
+      planner.solve(scope_);
+      if (!best_ || planner.duration() < best_->duration()) best_.emplace(std::move(planner)), best_speed_ = speed;
     }
-    std::stable_sort(starts_.begin(), starts_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.duration < b.duration; });
-  }
-  Candidate offer(const ProbeProblem& problem, bool jerks) {
-    SplinePlanner planner(problem, jerks);
-    planner.solve(scope_);
-    const Candidate candidate{planner.duration(), &problem, jerks};
-    if (!best_ || candidate.duration < best_->duration()) best_.emplace(std::move(planner));
-    return candidate;
-  }
-  /// Pattern search about the tighter problem of a plan: each quantity is raised and lowered by steps that become
-  /// smaller. Limits that the best plan does not use hardly matter then.
-  void improve(Candidate centre) {
-    constexpr int rounds = 6;
-    double step = 0.25;  // octaves
-    scope_.half_of_rest();
-    for (int round = 0; round < rounds; ++round, step /= 2)
-      for (const TightenedQuantity quantity : tightened_quantities)
-        for (const double octaves : {-step, step}) {
-          ProbeProblem problem = *centre.problem;
-          if (!scale_quantity(problem, quantity, std::exp2(octaves), problem_)) continue;
-          tighter_.push_back(std::move(problem));
-          if (const Candidate found = offer(tighter_.back(), centre.jerks); found.duration < centre.duration)
-            centre = found;
-          else
-            tighter_.pop_back();
-        }
   }
 
-  ProbeProblem problem_;
+  const ProbeProblem& problem_;
+  const std::vector<std::size_t>& row_end_;
   ProgressScope& scope_;
-  std::deque<ProbeProblem> tighter_;  // plans refer to them
-  std::vector<Candidate> starts_;     // ordered by duration
+  std::deque<ProbeProblem> problems_;  // plans refer to them
   std::optional<SplinePlanner> best_;
+  double best_speed_ = 0;
 };
+
+/// The quickest sections of splines through all points, through those that are left of points in a row, and of rests at
+/// the ends of rows.
+ProbeMotion search_splines(const ProbeProblem& given, ProgressScope& scope) {
+  const ProbeProblem problem = with_reachable_speed(given);
+  const std::vector<std::size_t> row_end = straight_rows(problem);
+  std::vector<ProbeMotion> plans{plan_stops(problem, scope)};
+  if (row_end[0] + 1 == problem.points.size()) return plans.front();
+  plans.push_back(SplineSearch(problem, row_end, scope).search());
+  const ThinnedProblem thin = thinned(problem);
+  if (thin.point.size() < problem.points.size())
+    plans.push_back(with_all_points(problem, thin, SplineSearch(thin.problem, thin.next, scope).search()));
+  return quickest_sections(problem, std::move(plans));
+}
 
 }  // namespace
 
 ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "spline", progress_from, progress_to);
   scope.report();
-  SplineSearch search(problem, scope);
-  search.search();
-  const SplinePlanner& best = search.best();
-  ProbeMotion plan = within_limits(problem, slowed(best.write(scope), 1), scope);  // slowed motions land
+  const ProbeMotion planned = search_splines(problem, scope);
+  ProbeMotion plan = within_limits(problem, slowed(planned, 1), scope);  // slowed motions land
   // A motion that rounding does not slow is no slower than rests by construction.
   constexpr double rounding = 1e-12;
-  if (plan.duration() <= best.duration() * (1 + rounding)) return plan;
+  if (plan.duration() <= planned.duration() * (1 + rounding)) return plan;
   ProbeMotion stops = plan_stops(problem, scope);
   return plan.duration() <= stops.duration() * (1 + rounding) ? plan : stops;
 }

@@ -140,7 +140,7 @@ SplineRun::Strains SplineRun::strains(std::size_t i, double resolution) const {
 }
 
 double SplineRun::tube_strain(const Bezier& x, std::size_t i, double resolution, int depth) const {
-  const double allowed = problem_.tolerance + rounding_;
+  const double allowed = problem_.tube(first_ + i) + rounding_;
   const auto distance = [&](Vec p) { return distance_from_edge(p, ends_[i].x, ends_[i + 1].x) / allowed; };
   return peak_of(x, distance, 0.25, resolution, depth);
 }

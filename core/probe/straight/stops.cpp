@@ -5,6 +5,7 @@
 #include "core/base/progress_scope.hpp"
 #include "core/probe/lasting_phases.hpp"
 #include "core/probe/straight/motion_writer.hpp"
+#include "core/probe/straight/rows.hpp"
 #include "core/probe/straight/straight.hpp"
 
 namespace bahnwerk {

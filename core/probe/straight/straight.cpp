@@ -33,33 +33,6 @@ Profile profile_between(const ProbeProblem& problem, std::size_t from, std::size
   return straight_profile(length, 0, 0, limits_along(problem, direction));
 }
 
-class RowFinder {
- public:
-  explicit RowFinder(const ProbeProblem& problem) : points_(problem.points) {
-    // Distance of points from a line that counts as rounding of coordinates, or half of what the document allows.
-    reach_ = std::max(coordinate_rounding(problem) / 4, 0.5 * std::min(problem.point_tolerance, problem.tolerance));
-  }
-
-  /// Returns whether the straight from a to b passes what is in between.
-  bool passes(std::size_t a, std::size_t b) const {
-    const Vec chord = points_[b] - points_[a];
-    const double length = norm(chord);
-    if (!(length > 0)) return false;
-    double before = 0;
-    for (std::size_t i = a + 1; i < b; ++i) {
-      const Vec from = points_[i] - points_[a];
-      const double along = dot(from, chord) / length;
-      if (!(along > before) || !(along < length) || norm(cross(from, chord)) > reach_ * length) return false;
-      before = along;
-    }
-    return true;
-  }
-
- private:
-  const std::vector<Vec>& points_;
-  double reach_;
-};
-
 }  // namespace
 
 ProfileLimits limits_along(const ProbeProblem& problem, Vec direction) {
@@ -102,25 +75,6 @@ double append_rest_to_rest(MotionWriter& writer, const ProbeProblem& problem, st
 double rest_to_rest_duration(const ProbeProblem& problem, std::size_t from, std::size_t to) {
   Vec direction;
   return profile_between(problem, from, to, direction).duration;
-}
-
-std::vector<std::size_t> straight_rows(const ProbeProblem& problem) {
-  const RowFinder finder(problem);
-  const std::size_t last = problem.points.size() - 1;
-  std::vector<std::size_t> end(problem.points.size(), last);
-  for (std::size_t a = 0; a < last;) {
-    // Doubles the row's length while it passes, then halves what is uncertain.
-    std::size_t good = 1, step = 1;
-    while (a + good < last && finder.passes(a, std::min(last, a + good + step))) {
-      good = std::min(last - a, good + step);
-      step *= 2;
-    }
-    for (; step > 0; step /= 2)
-      if (a + good + step <= last && finder.passes(a, a + good + step)) good += step;
-    for (std::size_t i = a; i < a + good; ++i) end[i] = a + good;
-    a += good;
-  }
-  return end;
 }
 
 }  // namespace bahnwerk::probe

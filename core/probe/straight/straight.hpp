@@ -23,9 +23,4 @@ double append_rest_to_rest(MotionWriter& writer, const ProbeProblem& problem, st
 /// Returns the duration of that straight, s.
 double rest_to_rest_duration(const ProbeProblem& problem, std::size_t from, std::size_t to);
 
-/// Returns per point the last point of its row. A row is a sequence of two points or more that one straight passes in
-/// order, within half of point_tolerance and tolerance. Rows follow each other from the first point on; each is
-/// extended as far as it goes. The last point has itself. O(points · log points).
-std::vector<std::size_t> straight_rows(const ProbeProblem& problem);
-
 }  // namespace bahnwerk::probe

@@ -256,15 +256,15 @@ void improve(const ProbeProblem& problem, std::vector<Move>& moves, const Effort
 }
 
 template <int D>
-double sum_of_moves(const ProbeProblem& problem, Progress& progress) {
-  // With very many edges, only the last levels are improved, whose moves are long beside the ramps.
-  constexpr std::size_t many = 1000, few = 160;
+double sum_of_moves(const ProbeProblem& problem, Progress& progress, std::size_t most_improved) {
+  // With more edges, only the last levels are improved, whose moves are long beside the ramps.
+  const std::size_t few = std::min<std::size_t>(most_improved, 160);
   const double enough = 6 * ramp_time(problem);
   std::vector<Move> moves;
   double sum = 0, done = 0;
   for (std::size_t stride = 1;; stride *= 2) {
     moves = moves_of(problem, stride, moves);
-    if (problem.edges() <= many || moves.size() <= few)
+    if (problem.edges() <= most_improved || moves.size() <= few)
       improve<D>(problem, moves, effort(moves.size()), progress, done, (1 - done) / 2);
     done += (1 - done) / 2;
     sum = 0;
@@ -276,19 +276,11 @@ double sum_of_moves(const ProbeProblem& problem, Progress& progress) {
 
 }  // namespace
 
-Bound probe_bound(const ProbeProblem& problem, Progress& progress) {
+Bound probe_bound(const ProbeProblem& problem, Progress& progress, std::size_t most_improved) {
   Bound bound;
-  bound.value = problem.dimension() == 2 ? sum_of_moves<2>(problem, progress) : sum_of_moves<3>(problem, progress);
+  bound.value = problem.dimension() == 2 ? sum_of_moves<2>(problem, progress, most_improved)
+                                         : sum_of_moves<3>(problem, progress, most_improved);
   bound.basis = "least times between points, proven by multipliers";
-  return bound;
-}
-
-Bound quick_probe_bound(const ProbeProblem& problem) {
-  double sum = 0;
-  for (const Move& m : moves_of(problem, 1, {})) sum += m.time;
-  Bound bound;
-  bound.value = sum * (1 - 1e-12);
-  bound.basis = "edges at full speed, from rest to rest where the head has to rest";
   return bound;
 }
 

@@ -41,36 +41,5 @@ TEST(Straight, PointsBetweenArePassedWhereTheyAre) {
   probe_cases::expect_right(p, motion);
 }
 
-/// Rows by trying every end: the last one behind which no further point lies on the line, in order.
-std::vector<std::size_t> by_trial(const ProbeProblem& p) {
-  const std::size_t last = p.points.size() - 1;
-  std::vector<std::size_t> end(p.points.size(), last);
-  for (std::size_t a = 0; a < last;) {
-    std::size_t b = a + 1;
-    for (; b < last; ++b) {
-      const Vec u = p.points[b + 1] - p.points[b], v = p.points[b] - p.points[b - 1];
-      if (norm(cross(u, v)) > 1e-9 || dot(u, v) <= 0) break;
-    }
-    for (std::size_t i = a; i < b; ++i) end[i] = b;
-    a = b;
-  }
-  return end;
-}
-
-TEST(Straight, RowsEndAtCornersAndReversals) {
-  Random random(5);
-  for (int round = 0; round < 50; ++round) {
-    std::vector<Vec> points{{0, 0}};
-    const Vec ways[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    std::size_t way = 0;
-    for (int i = 0; i < 30; ++i) {
-      if (random.chance(0.3)) way = random.below(4);
-      points.push_back(points.back() + static_cast<double>(1 + random.below(3)) * ways[way]);
-    }
-    const ProbeProblem p = probe_cases::problem(points, 0.01);
-    EXPECT_EQ(straight_rows(p), by_trial(p)) << round;
-  }
-}
-
 }  // namespace
 }  // namespace bahnwerk::probe

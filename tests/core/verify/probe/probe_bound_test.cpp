@@ -50,14 +50,24 @@ TEST(ProbeBound, DensePointsOnACircleAreBoundedByTheSpeedAndTheRamps) {
   EXPECT_LT(found, 2 * M_PI * 6 / 20 + 0.18);
 }
 
-TEST(ProbeBound, TheQuickOneKnowsFullSpeedAndRests) {
+TEST(ProbeBound, WithoutMultipliersItKnowsFullSpeedAndRests) {
+  SilentProgress silent;
+  const auto quick = [&](const ProbeProblem& p) { return probe_bound(p, silent, 0).value; };
   // With a tube: full speed from end to end; each move from or to a rest is short enough for the speed to decide.
   const ProbeProblem wide = problem({{0, 0}, {90, 0}, {90, 60}}, 0.1);
-  EXPECT_NEAR(quick_probe_bound(wide).value, 150.0 / 20, 1e-6);
+  EXPECT_NEAR(quick(wide), 150.0 / 20, 1e-6);
   // Without one the head rests at the corner: (384 d/S)^¼ each, of the two moves of 0.02 mm.
   const ProbeProblem narrow = problem({{0, 0}, {0.02, 0}, {0.02, 0.02}}, 0);
-  EXPECT_NEAR(quick_probe_bound(narrow).value, 2 * std::pow(384 * 0.02 / 200000, 0.25), 1e-5);
-  for (const ProbeProblem& p : {wide, narrow}) EXPECT_LE(quick_probe_bound(p).value, bound(p) * (1 + 1e-12));
+  EXPECT_NEAR(quick(narrow), 2 * std::pow(384 * 0.02 / 200000, 0.25), 1e-5);
+  for (const ProbeProblem& p : {wide, narrow}) EXPECT_LE(quick(p), bound(p) * (1 + 1e-12));
+}
+
+TEST(ProbeBound, FewerMultipliersProveTheRampsOfDensePoints) {
+  SilentProgress silent;
+  const ProbeProblem p = problem(circle(120, 6), 0.05);
+  const double quick = probe_bound(p, silent, 40).value;
+  EXPECT_GT(quick, 2 * M_PI * 6 / 20 + 0.1);
+  EXPECT_LE(quick, bound(p) * (1 + 1e-12));
 }
 
 }  // namespace
