@@ -70,8 +70,8 @@ ProbeMotion motion_of(std::vector<SplineMotion::Piece> pieces, const Vec& end) {
   return out;
 }
 
-/// Sets the times of all points of a motion that passes the points `chosen` at `times`. Returns the edges between chosen
-/// points where another one is missed.
+/// Sets the times of all points of a motion that passes the points `chosen` at `times`. Returns the edges between
+/// chosen points where another one is missed.
 std::vector<std::size_t> set_times(const ProbeProblem& problem, const std::vector<std::size_t>& chosen,
                                    std::vector<double> times, ProbeMotion& motion) {
   times.back() = motion.duration();
@@ -104,10 +104,6 @@ ProbeMotion in_tube(const ProbeProblem& problem, const Report& report) {
         pieces, times);
     ProbeMotion motion = motion_of(std::move(pieces), problem.points.back());
     const std::vector<std::size_t> open = set_times(problem, chosen.index, std::move(times), motion);
-    if (std::getenv("DENSE")) {
-      std::fprintf(stderr, "round %d: %zu of %zu chosen, %zu cells, T %.6f, open %zu\n", round, chosen.index.size(),
-                   problem.points.size(), chain.cell.size(), motion.duration(), open.size());
-    }
     if (open.empty() || round == rounds) return motion;
     choice.split(open);
   }
@@ -247,11 +243,13 @@ ProbeMotion shortest(const ProbeProblem& problem, const Report& report, Progress
   return probe::within_limits(problem, std::move(motion), scope);
 }
 
-// The shortest motion for a lower speed goes at that speed wherever it can, so the lowest speed that leaves time enough
-// has the least ripple, about. It is found by bisection; the motion that ripples least of all is returned.
+/// The shortest motion for a lower speed goes at that speed wherever it can, so lower speeds leave less ripple, about,
+/// until turns become too short for the cells. Speeds are halved as far as the time admits, so that more time adds
+/// speeds to try; then the lowest speed that leaves time enough is found by bisection. The motion that ripples least of
+/// all is returned.
 ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts,
                          const ProbeMotion& quickest, const Report& report, ProgressScope& scope) {
-  constexpr int steps = 8;
+  constexpr int halvings = 6, steps = 7;
   const double most = problem.stretch * quickest.duration();
   ProbeMotion best = quickest;
   double least = probe_figures(problem, best, scope).speed_ripple;
@@ -269,16 +267,14 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMot
     if (!(least > 0)) return false;
     slower.speed = speed;
     const ProbeMotion motion = shortest(
-        slower, [&](double f) { report((step + f) / steps); }, scope);
+        slower, [&](double f) { report((step + f) / (halvings + steps)); }, scope);
     ++step;
     offer(motion);
     return motion.duration() > most;
   };
-  const double lowest = 0.02 * problem.speed, guess = problem.speed / problem.stretch;
-  if (too_slow(guess))
-    bisect(guess, problem.speed, 0, steps - 1, too_slow);
-  else
-    bisect(lowest, guess, 0, steps - 1, too_slow);
+  double speed = problem.speed / 2;
+  while (step < halvings && !too_slow(speed)) speed /= 2;
+  bisect(speed, 2 * speed, 0, steps, too_slow);
   return best;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/numeric/bisection.hpp"
 #include "core/probe/bezier.hpp"
@@ -16,51 +15,47 @@ using namespace probe;
 class PointFinder {
  public:
   PointFinder(const ProbeProblem& problem, const SplineMotion& motion)
-      : problem_(problem), motion_(motion), first_(problem.points.size() + 1, problem.given.size()) {
+      : problem_(problem),
+        motion_(motion),
+        rounding_(coordinate_rounding(problem)),
+        first_(problem.points.size() + 1, problem.given.size()) {
     for (std::size_t i = problem.given.size(); i-- > 0;) first_[problem.point_of[i]] = i;
   }
 
-  /// Returns the time in [from, to] at which the motion is nearest to the point: before it the motion comes nearer.
+  /// Returns the time in [from, to] at which the motion is nearest to the middle of what the point stands for: before
+  /// it the motion comes nearer.
   double nearest(std::size_t point, double from, double to) {
-    const Vec at = problem_.points[point];
-    const Bisection when = bisect(from, to, 0, 60, [&](double t) {
+    Vec low = problem_.given[first_[point]], high = low;
+    for (std::size_t i = first_[point]; i < first_[point + 1]; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        low[k] = std::min(low[k], problem_.given[i][k]), high[k] = std::max(high[k], problem_.given[i][k]);
+    const Vec at = (low + high) / 2;
+    const Bisection when = bisect(from, to, 0, steps, [&](double t) {
       const State now = state(t);
       return dot(now.x - at, now.v) < 0;
     });
     return (when.low + when.high) / 2;
   }
-
-  /// The times about t at which the motion, taken for straight there, is near enough to all that the point stands for.
-  struct Interval {
-    double from, to;
-  };
-  Interval interval(std::size_t point, double t) {
-    const State now = state(t);
-    const double v2 = dot(now.v, now.v);
-    Interval out{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    if (!(v2 > 0)) return {t, t};
-    for (std::size_t i = first_[point]; i < first_[point + 1]; ++i) {
-      const Vec d = problem_.given[i] - now.x;
-      const double along = dot(d, now.v) / v2, r2 = reach() * reach() - (dot(d, d) - along * along * v2);
-      const double half = std::sqrt(std::max(0.0, r2) / v2);
-      out.from = std::max(out.from, t + along - half);
-      out.to = std::min(out.to, t + along + half);
-    }
-    if (out.from > out.to) out.from = out.to = (out.from + out.to) / 2;
-    return out;
+  /// Returns the first time in [from, t] from which on the point is passed, where it is passed at t.
+  double entered(std::size_t point, double from, double t) {
+    return passed(point, from) ? from : bisect(from, t, 0, steps, [&](double at) { return !passed(point, at); }).high;
+  }
+  /// Returns the last time in [t, to] up to which the point is passed, where it is passed at t.
+  double left(std::size_t point, double t, double to) {
+    return passed(point, to) ? to : bisect(t, to, 0, steps, [&](double at) { return passed(point, at); }).low;
   }
 
   bool passed(std::size_t point, double t) {
     const Vec x = state(t).x;
     for (std::size_t i = first_[point]; i < first_[point + 1]; ++i)
-      if (!(norm(problem_.given[i] - x) <= reach() + coordinate_rounding(problem_))) return false;
+      if (!(norm(problem_.given[i] - x) <= reach() + rounding_)) return false;
     return true;
   }
 
   /// Returns whether the motion stays in the tube of the edge from its time `from` to its time `to`.
   bool in_tube(std::size_t edge, double from, double to) {
     const Vec a = problem_.points[edge], b = problem_.points[edge + 1];
-    const double most = problem_.tolerance + coordinate_rounding(problem_);
+    const double most = problem_.tolerance + rounding_;
     locate(from);
     for (std::size_t i = piece_; i < motion_.pieces() && motion_.begin(i) < to; ++i) {
       const double begin = std::max(from, motion_.begin(i)), end = std::min(to, motion_.end(i));
@@ -82,6 +77,7 @@ class PointFinder {
   }
 
  private:
+  static constexpr int steps = 60;
   struct State {
     Vec x, v;
   };
@@ -100,6 +96,7 @@ class PointFinder {
 
   const ProbeProblem& problem_;
   const SplineMotion& motion_;
+  double rounding_;
   std::vector<std::size_t> first_;  // the first given point of each point
   std::size_t piece_ = 0;
 };
@@ -117,8 +114,9 @@ Passing pass_points(const ProbeProblem& problem, const SplineMotion& motion, con
     std::vector<double> latest(to - from + 1, times[c + 1]), earliest(to - from + 1, times[c]);
     for (std::size_t i = from + 1; i < to; ++i) {
       out.times[i] = finder.nearest(i, times[c], times[c + 1]);
-      const auto interval = finder.interval(i, out.times[i]);
-      earliest[i - from] = interval.from, latest[i - from] = interval.to;
+      if (!finder.passed(i, out.times[i])) continue;
+      earliest[i - from] = finder.entered(i, times[c], out.times[i]);
+      latest[i - from] = finder.left(i, out.times[i], times[c + 1]);
     }
     for (std::size_t i = to - from; i-- > 1;) latest[i] = std::min(latest[i], latest[i + 1]);
     // A chosen point may have been moved for the points beside it.

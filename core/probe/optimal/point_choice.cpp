@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/probe/optimal/point_fit.hpp"
 #include "core/probe/straight/straight.hpp"
@@ -10,9 +11,6 @@ namespace bahnwerk {
 namespace {
 
 constexpr double reach = 0.999;  // of point_tolerance
-
-/// Fewer points than that between two chosen ones are chosen, too.
-constexpr std::size_t few = 3;
 
 /// The least limits of any axis.
 ProfileLimits least_limits(const ProbeProblem& problem) {
@@ -26,143 +24,183 @@ ProfileLimits least_limits(const ProbeProblem& problem) {
   return out;
 }
 
+/// Returns the length of the polygon up to each given point, mm. Points nearer to each other than ten tolerances may be
+/// out of order along the path: lengths are those between points that are farther apart, in equal steps between.
+std::vector<double> lengths(const ProbeProblem& problem) {
+  const std::vector<Vec>& given = problem.given;
+  std::vector<double> along(given.size(), 0.0);
+  for (std::size_t from = 0; from + 1 < given.size();) {
+    std::size_t to = from + 1;
+    while (to + 1 < given.size() && norm(given[to] - given[from]) < 10 * problem.point_tolerance) ++to;
+    const double step = norm(given[to] - given[from]) / static_cast<double>(to - from);
+    for (std::size_t i = from + 1; i <= to; ++i) along[i] = along[from] + static_cast<double>(i - from) * step;
+    from = to;
+  }
+  return along;
+}
+
 }  // namespace
 
 PointChoice::PointChoice(const ProbeProblem& problem)
     : problem_(problem),
-      centre_(problem.points),
-      radius_(problem.points.size()),
+      first_(problem.points.size() + 1, problem.given.size()),
+      along_(lengths(problem)),
       time_(problem.points.size()),
       chosen_(problem.points.size(), 0) {
   const std::size_t n = problem.points.size();
-  for (std::size_t i = 0, end = 0; i < n; ++i) {
-    const std::size_t begin = end;
-    while (end < problem.given.size() && problem.point_of[end] == i) ++end;
-    const auto farthest = [&](Vec from) {
-      double most = 0;
-      for (std::size_t g = begin; g < end; ++g) most = std::max(most, norm(problem.given[g] - from));
-      return most;
-    };
-    double most = farthest(centre_[i]);
-    if (most > 0 && i > 0 && i + 1 < n) {
-      Vec low = problem.given[begin], high = low;
-      for (std::size_t g = begin; g < end; ++g)
-        for (std::size_t k = 0; k < 3; ++k)
-          low[k] = std::min(low[k], problem.given[g][k]), high[k] = std::max(high[k], problem.given[g][k]);
-      const Vec middle = (low + high) / 2;
-      // The tube is about the point itself.
-      if (farthest(middle) < most && norm(middle - centre_[i]) < 0.1 * problem.tolerance)
-        centre_[i] = middle, most = farthest(middle);
-    }
-    radius_[i] = std::max(0.0, reach * (problem.point_tolerance - most));
-  }
-  std::vector<double> along(n, 0.0);
-  for (std::size_t i = 1; i < n; ++i) along[i] = along[i - 1] + norm(problem.points[i] - problem.points[i - 1]);
+  for (std::size_t g = problem.given.size(); g-- > 0;) first_[problem.point_of[g]] = g;
+
   const ProfileLimits limits = least_limits(problem);
-  const Profile profile = straight_profile(along.back(), 0, 0, limits);
-  for (std::size_t i = 0; i < n; ++i) time_[i] = probe::time_at(profile, along[i]);
+  const Profile profile = straight_profile(along_.back(), 0, 0, limits);
+  for (std::size_t i = 0; i < n; ++i)
+    time_[i] = probe::time_at(profile, along_[i + 1 < n ? first_[i] : along_.size() - 1]);
   const double step = std::pow(100 * problem.point_tolerance / limits.snap, 0.25);
   const double steps = std::ceil(profile.duration / step);
-  if (!(steps < static_cast<double>(n))) {
-    choose_all();
-    return;
+  if (steps < static_cast<double>(n)) {
+    // The points nearest to equidistant times, and all where points are farther apart. The curve has fewer knots, for
+    // noise to be averaged.
+    knot_ = chosen_;
+    std::size_t i = 0;
+    for (double k = 0; k <= steps; ++k) {
+      const double t = k / steps * profile.duration;
+      while (i + 1 < n && std::abs(time_[i + 1] - t) < std::abs(time_[i] - t)) ++i;
+      chosen_[i] = 1;
+      if (std::fmod(std::min(k, steps - k), 4) == 0) knot_[i] = 1;
+    }
+    chosen_.front() = chosen_.back() = knot_.front() = knot_.back() = 1;
+    const std::vector<std::size_t> index = listed(chosen_);
+    for (std::size_t c = 0; c + 1 < index.size(); ++c)
+      if (time_[index[c + 1]] - time_[index[c]] > 1.5 * step)
+        for (i = index[c]; i <= index[c + 1]; ++i) chosen_[i] = knot_[i] = 1;
+  } else {
+    knot_.assign(n, 1);
   }
-  // The points nearest to equidistant times.
-  std::size_t i = 0;
-  for (double k = 0; k <= steps; ++k) {
-    const double t = k / steps * profile.duration;
-    while (i + 1 < n && std::abs(time_[i + 1] - t) < std::abs(time_[i] - t)) ++i;
-    chosen_[i] = 1;
-  }
-  chosen_.front() = chosen_.back() = 1;
+  fit();
 }
 
-void PointChoice::split_gap(std::size_t from, std::size_t to) {
-  if (to - from <= few + 1) {
-    std::fill(chosen_.begin() + static_cast<std::ptrdiff_t>(from), chosen_.begin() + static_cast<std::ptrdiff_t>(to), 1);
-    return;
-  }
+PointChoice::Place PointChoice::place(std::size_t point, Vec at) const {
+  double farthest = 0;
+  for (std::size_t g = first_[point]; g < first_[point + 1]; ++g)
+    farthest = std::max(farthest, norm(problem_.given[g] - at));
+  return {at, std::max(0.0, reach * problem_.point_tolerance - farthest)};
+}
+
+std::vector<std::size_t> PointChoice::listed(const std::vector<char>& list) const {
+  std::vector<std::size_t> index;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i]) index.push_back(i);
+  return index;
+}
+
+void PointChoice::choose_between(std::size_t from, std::size_t to, std::vector<char>& list) {
+  // The point nearest to the middle; one that is chosen already if there is one, for no two to be close together.
   const double middle = (time_[from] + time_[to]) / 2;
-  std::size_t at = from + 1;
-  while (at + 2 < to && time_[at] < middle) ++at;
-  chosen_[at] = 1;
+  std::size_t best = to;
+  const auto before = [&](std::size_t a, std::size_t b) {
+    if (chosen_[a] != chosen_[b]) return chosen_[a] > chosen_[b];
+    return std::abs(time_[a] - middle) < std::abs(time_[b] - middle);
+  };
+  for (std::size_t i = from + 1; i < to; ++i)
+    if (best == to || before(i, best)) best = i;
+  if (best < to) list[best] = 1;
+}
+
+void PointChoice::choose_all() {
+  knot_.assign(problem_.points.size(), 1);
+  fit();
 }
 
 void PointChoice::split(const std::vector<std::size_t>& open) {
-  for (std::size_t e : open) split_gap(last_[e], last_[e + 1]);
+  for (std::size_t e : open) choose_between(last_[e], last_[e + 1], chosen_);
 }
 
-/// Fits a curve to the points from `from` to `to`, between all chosen ones of which there are others; returns whether
-/// it is near enough. Otherwise it has chosen more.
-bool PointChoice::fit(std::size_t from, std::size_t to) {
-  constexpr double near_enough = 0.97, least_radius = 0.05;
-  const auto begin = static_cast<std::ptrdiff_t>(from), end = static_cast<std::ptrdiff_t>(to) + 1;
-  const std::vector<Vec> points(centre_.begin() + begin, centre_.begin() + end);
-  std::vector<double> radius(radius_.begin() + begin, radius_.begin() + end);
-  for (double& r : radius) r = std::max(r, least_radius * problem_.point_tolerance);
-  std::vector<std::size_t> knots;
-  for (std::size_t i = from; i <= to; ++i)
-    if (chosen_[i]) knots.push_back(i - from);
-  const PointFit fit = fit_points(points, radius, knots, from == 0, to + 1 == centre_.size());
-  bool near = true;
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    double most = 0;
-    for (std::size_t i = knots[k]; i <= knots[k + 1]; ++i)
-      most = std::max(most, fit.distance[i] * radius[i] / std::max(radius_[from + i], 1e-3 * radius[i]));
-    if (most <= near_enough) continue;
-    near = false;
-    split_gap(from + knots[k], from + knots[k + 1]);
+/// Fits curves to all sections between the knots of which there are other points.
+void PointChoice::fit() {
+  for (bool near = false; !near;) {
+    near = true;
+    places_.clear();
+    for (std::size_t i = 0; i < knot_.size(); ++i) places_.push_back(place(i, problem_.points[i]));
+    fitted_.assign(knot_.size(), 0);
+    const std::vector<std::size_t> index = listed(knot_);
+    for (std::size_t c = 0; c + 1 < index.size();) {
+      std::size_t end = c;
+      while (end + 1 < index.size() && index[end + 1] - index[end] > 1) ++end;
+      if (end > c) near = fit(index[c], index[end]) && near;
+      c = std::max(end, c + 1);
+    }
   }
-  for (std::size_t i = 0; near && i < points.size(); ++i) {
-    smooth_[from + i] = fit.at[i];
-    room_[from + i] = radius_[from + i] - fit.distance[i] * radius[i];
+  for (std::size_t i = 0; i < chosen_.size(); ++i) chosen_[i] = chosen_[i] || knot_[i];
+}
+
+/// Fits a curve to the section from point `from` to point `to`; returns whether it is near enough to all given points.
+/// Otherwise it has more knots next time.
+bool PointChoice::fit(std::size_t from, std::size_t to) {
+  constexpr double near_enough = 0.97, small = 0.05;
+  std::vector<Vec> points;
+  std::vector<double> along;
+  std::vector<std::size_t> knots, first;  // per point from `from` on: its first point of the fit
+  for (std::size_t i = from; i <= to; ++i) {
+    first.push_back(points.size());
+    // The curve goes through the ends themselves, whatever else counts as them.
+    const bool begin = i == 0, end = i == problem_.edges();
+    for (std::size_t g = end ? first_[i + 1] - 1 : first_[i]; g < (begin ? 1 : first_[i + 1]); ++g) {
+      points.push_back(problem_.given[g]);
+      along.push_back(along_[g]);
+    }
+    if (knot_[i]) knots.push_back(i == to ? points.size() - 1 : first.back());
+  }
+  first.push_back(points.size());
+  const PointFit fit =
+      fit_points(points, std::move(along), problem_.point_tolerance, knots, from == 0, to == problem_.edges());
+  bool near = true;
+  std::size_t last = from;
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    if (!knot_[i]) continue;
+    double most = 0, squares = 0, neighbours = 0;
+    for (std::size_t p = first[last - from]; p < first[i - from + 1]; ++p) {
+      most = std::max(most, norm(fit.off[p]));
+      squares += dot(fit.off[p], fit.off[p]);
+      if (p > first[last - from]) neighbours += dot(fit.off[p - 1], fit.off[p]);
+    }
+    // Noise differs from point to point; what neighbours have in common is the shape of the path.
+    const bool shape = most > small * problem_.point_tolerance && neighbours > 0.5 * squares;
+    if (most > near_enough * problem_.point_tolerance || shape) {
+      near = false;
+      choose_between(last, i, knot_);
+    }
+    last = i;
+  }
+  for (std::size_t i = from; near && i <= to; ++i) {
+    places_[i] = place(i, (fit.at[first[i - from]] + fit.at[first[i - from + 1] - 1]) / 2);
+    fitted_[i] = 1;
   }
   return near;
 }
 
 ChosenPoints PointChoice::chosen() {
-  const std::size_t n = centre_.size();
-  std::vector<std::size_t> index;
-  for (bool changed = true; changed;) {
-    changed = false;
-    smooth_ = centre_;
-    room_ = radius_;
-    index.clear();
-    for (std::size_t i = 0; i < n; ++i)
-      if (chosen_[i]) index.push_back(i);
-    for (std::size_t c = 0; c + 1 < index.size(); ++c)
-      if (index[c + 1] - index[c] > 1 && index[c + 1] - index[c] <= few) split_gap(index[c], index[c + 1]), changed = true;
-    for (std::size_t c = 0; !changed && c + 1 < index.size();) {
-      std::size_t end = c;
-      while (end + 1 < index.size() && index[end + 1] - index[end] > 1) ++end;
-      if (end > c) changed = !fit(index[c], index[end]);
-      c = std::max(end, c + 1);
-    }
-  }
+  const std::size_t n = chosen_.size();
   ChosenPoints out;
-  out.index = index;
-  for (std::size_t c = 0; c < index.size(); ++c) {
-    const std::size_t i = index[c];
-    out.at.push_back(smooth_[i]);
-    // A chosen point may be passed as far from the curve as leaves the points beside it half of their room.
-    double room = room_[i];
-    if (c > 0 && i - index[c - 1] > 1)
-      for (std::size_t k = index[c - 1]; k < i; ++k) room = std::min(room, k == 0 ? room : room_[k] / 2);
-    if (c + 1 < index.size() && index[c + 1] - i > 1)
-      for (std::size_t k = i + 1; k <= index[c + 1]; ++k) room = std::min(room, k + 1 == n ? room : room_[k] / 2);
+  out.index = last_ = listed(chosen_);
+  for (std::size_t c = 0; c < out.index.size(); ++c) {
+    const std::size_t i = out.index[c], before = c > 0 ? out.index[c - 1] : i,
+                      behind = c + 1 < out.index.size() ? out.index[c + 1] : i;
+    out.at.push_back(places_[i].at);
+    double room = places_[i].room;
+    // On the curve, the points beside it keep half of their room.
+    for (std::size_t k = before; fitted_[i] && k <= behind; ++k)
+      if (k > 0 && k + 1 < n) room = std::min(room, places_[k].room / 2);
     out.ball.push_back(i == 0 || i + 1 == n ? 0 : room);
   }
-  for (std::size_t c = 0; c + 1 < index.size(); ++c) {
-    const double moved = std::max(norm(out.at[c] - problem_.points[index[c]]),
-                                  norm(out.at[c + 1] - problem_.points[index[c + 1]]));
+  for (std::size_t c = 0; c + 1 < out.index.size(); ++c) {
+    const std::size_t from = out.index[c], to = out.index[c + 1];
+    const double moved = std::max(norm(out.at[c] - problem_.points[from]), norm(out.at[c + 1] - problem_.points[to]));
     double beside = 0;
-    for (std::size_t i = index[c] + 1; i < index[c + 1]; ++i)
+    for (std::size_t i = from + 1; i < to; ++i)
       beside = std::max(beside, distance_from_edge(problem_.points[i], out.at[c], out.at[c + 1]));
     // The points between have to be inside with room; what leaves their edges' tubes is found afterwards.
     out.tube.push_back(std::max(problem_.tolerance - moved - beside, std::max(1.5 * beside, problem_.tolerance / 2)));
-    if (index[c + 1] == index[c] + 1 && moved == 0) out.tube.back() = problem_.tolerance;
+    if (to == from + 1 && moved == 0) out.tube.back() = problem_.tolerance;
   }
-  last_ = index;
   return out;
 }
 

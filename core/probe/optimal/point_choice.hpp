@@ -4,10 +4,10 @@
 ///
 /// A motion with a bounded snap S that passes points every h s differs between them from a smooth motion through the
 /// same points by about S h⁴/100. Where that is less than point_tolerance, points between say nothing more, and cells
-/// that are shorter than h only follow what noise the points have. So points are chosen about h apart, by the time of
-/// the quickest straight as long as the polyline; the chosen ones are moved to a smooth curve that is near enough to
-/// all (core/probe/optimal/point_fit.hpp), and a motion through them is tried on all points
-/// (core/probe/optimal/passing.hpp). Where it misses one, split() chooses more.
+/// shorter than h only follow what noise the points have. So points are chosen about h apart, by the time of the
+/// quickest straight as long as the polyline, and moved to a smooth curve near to all (core/probe/optimal/
+/// point_fit.hpp); a motion through them is tried on all points (core/probe/optimal/passing.hpp). Where it misses one,
+/// split() chooses more.
 #include <cstddef>
 #include <vector>
 
@@ -28,23 +28,31 @@ class PointChoice {
 
   /// Returns the chosen points; chooses more where no smooth curve through them is near enough to the others.
   ChosenPoints chosen();
-  /// Chooses one point or three more between the chosen points of each edge of `open`, an edge of the last chosen().
+  /// Chooses one point more between the chosen points of each edge of `open`, an edge of the last chosen().
   void split(const std::vector<std::size_t>& open);
   /// Chooses all points.
-  void choose_all() { chosen_.assign(chosen_.size(), 1); }
+  void choose_all();
 
  private:
-  void split_gap(std::size_t from, std::size_t to);
+  struct Place {
+    Vec at;           // mm
+    double room = 0;  // distance from there that point_tolerance leaves to all given points of the point, mm
+  };
+  Place place(std::size_t point, Vec at) const;
+  void choose_between(std::size_t from, std::size_t to, std::vector<char>& list);
+  std::vector<std::size_t> listed(const std::vector<char>& list) const;
+  void fit();
   bool fit(std::size_t from, std::size_t to);
 
   const ProbeProblem& problem_;
-  std::vector<Vec> centre_;      // place near to all given points that a point stands for
-  std::vector<double> radius_;   // distance from there that point_tolerance leaves
-  std::vector<double> time_;     // s, about
-  std::vector<char> chosen_;
-  std::vector<Vec> smooth_;      // places on the smooth curve
-  std::vector<double> room_;     // distance from there that point_tolerance leaves
-  std::vector<std::size_t> last_;  // what chosen() returned
+  std::vector<std::size_t> first_;  // the first given point of each point
+  std::vector<Place> places_;       // the points' own places, or those on the smooth curve
+  std::vector<char> fitted_;        // the point's place is on the smooth curve
+  std::vector<double> along_;       // mm, of each given point, about
+  std::vector<double> time_;        // s, about
+  std::vector<char> knot_;          // the smooth curve has a knot there
+  std::vector<char> chosen_;        // all knots, and more
+  std::vector<std::size_t> last_;   // what chosen() returned
 };
 
 }  // namespace bahnwerk
