@@ -13,7 +13,8 @@ void merge_points(ProbeProblem& problem) {
   problem.points.clear();
   problem.point_of.assign(given.size(), 0);
   if (given.empty()) throw InvalidInput(std::vector<InputFault>{{{"points"}, "two points are needed at least"}});
-  const auto near = [&](Vec a, Vec b) { return norm(a - b) < problem.point_tolerance || a == b; };
+  constexpr double share = 0.25;  // the rest is left to the motion, which has one time for all of them
+  const auto near = [&](Vec a, Vec b) { return norm(a - b) < share * problem.point_tolerance || a == b; };
   std::size_t last = given.size() - 1;  // the given points from here on all belong to the last point
   while (last > 0 && near(given[last - 1], given.back())) --last;
   for (std::size_t i = 0; i < last; ++i) {

@@ -37,9 +37,10 @@ struct ProbeProblem {
   const AxisLimits& axis(std::size_t k) const { return machine.axes[k]; }
 };
 
-/// Sets `points` and `point_of` from `given` and `point_tolerance`. Consecutive points closer than the tolerance become
-/// one point, at the place of the first of them; the group of the very last point is at the place of that point. A
-/// group holds only points within the tolerance of its place, so that a row of dense points does not shrink to one.
+/// Sets `points` and `point_of` from `given` and `point_tolerance`. Consecutive points closer than a quarter of the
+/// tolerance become one point, at the place of the first of them; the group of the very last point is at the place of
+/// that point. A group holds only points within that distance of its place: a row of dense points does not shrink to
+/// one, and a motion that passes noisy points within the tolerance one by one can pass a group at one time.
 /// Throws InvalidInput at "points" if fewer than two points are left. O(points).
 void merge_points(ProbeProblem& problem);
 

@@ -30,7 +30,7 @@ class ChainConstraints {
   /// `shortest` is the least duration of a cell, s; 0: unlimited.
   ChainConstraints(const ChainLimits<D>& limits, double shortest) : limits_(limits), shortest_(shortest) {
     for (std::size_t e = 0; e + 1 < limits.points.size(); ++e)
-      capsule_.push_back(capsule<D>(limits.points[e], limits.points[e + 1], limits.tolerance));
+      capsule_.push_back(capsule<D>(limits.points[e], limits.points[e + 1], limits.radius(e)));
   }
 
   double ball_radius(const ChainNode<D>& node) const { return limits_.ball[static_cast<std::size_t>(node.point)]; }

@@ -116,7 +116,7 @@ class Passage {
     bool inside = true;
     CellValues<D> v;
     for (std::size_t c = 0; c < chain.cell.size(); ++c) {
-      const Capsule<D> set = capsule<D>(point(i + c), point(i + c + 1), room * limits_.tolerance);
+      const Capsule<D> set = capsule<D>(point(i + c), point(i + c + 1), room * limits_.radius(from_ + i + c));
       evaluate_cell(chain.node[c], chain.node[c + 1], chain.cell[c].duration, v);
       bool left = false;
       for (std::size_t r = 0; r < CellBasis::first[1]; ++r) {

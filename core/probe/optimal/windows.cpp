@@ -43,6 +43,9 @@ ChainLimits<D> part_of(const ChainLimits<D>& limits, std::size_t from, std::size
   };
   slice(part.points, limits.points);
   slice(part.ball, limits.ball);
+  if (!limits.tube.empty())
+    part.tube.assign(limits.tube.begin() + static_cast<std::ptrdiff_t>(from),
+                     limits.tube.begin() + static_cast<std::ptrdiff_t>(to));
   return part;
 }
 template <int D>

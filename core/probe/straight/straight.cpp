@@ -9,18 +9,6 @@
 namespace bahnwerk::probe {
 namespace {
 
-/// Returns the time at which the profile has covered `distance`, s.
-double time_at(const Profile& profile, double distance) {
-  const auto pieces = profile.pieces();
-  std::size_t i = 0;
-  while (i + 1 < pieces.size() && pieces[i + 1].s <= distance) ++i;
-  if (pieces[i].a == 0 && pieces[i].j == 0 && pieces[i].snap == 0)
-    return pieces[i].t0 + std::clamp((distance - pieces[i].s) / pieces[i].v, 0.0, pieces[i].duration);
-  const Bisection when =
-      bisect(0, pieces[i].duration, 0, 60, [&](double tau) { return pieces[i].at(tau).s < distance; });
-  return pieces[i].t0 + (when.low + when.high) / 2;
-}
-
 ProbePhaseKind kind_of(const ProfilePiece& piece) {
   const double half = piece.duration / 2, a = piece.a + half * (piece.j + half * piece.snap / 2);
   return a > 0 ? ProbePhaseKind::accelerate : a < 0 ? ProbePhaseKind::brake : ProbePhaseKind::hold;
@@ -34,6 +22,17 @@ Profile profile_between(const ProbeProblem& problem, std::size_t from, std::size
 }
 
 }  // namespace
+
+double time_at(const Profile& profile, double distance) {
+  const auto pieces = profile.pieces();
+  std::size_t i = 0;
+  while (i + 1 < pieces.size() && pieces[i + 1].s <= distance) ++i;
+  if (pieces[i].a == 0 && pieces[i].j == 0 && pieces[i].snap == 0)
+    return pieces[i].t0 + std::clamp((distance - pieces[i].s) / pieces[i].v, 0.0, pieces[i].duration);
+  const Bisection when =
+      bisect(0, pieces[i].duration, 0, 60, [&](double tau) { return pieces[i].at(tau).s < distance; });
+  return pieces[i].t0 + (when.low + when.high) / 2;
+}
 
 ProfileLimits limits_along(const ProbeProblem& problem, Vec direction) {
   ProfileLimits limits;

@@ -14,6 +14,9 @@ namespace bahnwerk::probe {
 /// speed.
 ProfileLimits limits_along(const ProbeProblem& problem, Vec direction);
 
+/// Returns the time at which the profile has covered `distance`, s.
+double time_at(const Profile& profile, double distance);
+
 /// Appends `profile` along the unit vector `direction` with its phases, after point `point`.
 void append_straight(MotionWriter& writer, const Profile& profile, Vec direction, std::size_t point);
 

@@ -84,6 +84,61 @@ TEST(Optimal, NoiseBelowThePointToleranceCostsNothing) {
   EXPECT_LT(optimal(p).duration(), 2 * M_PI * 6 / 20 + 0.22);
 }
 
+/// n points of a quarter circle of 1 mm or of a straight of 10 mm, all but the ends moved by up to `noise` mm.
+ProbeProblem dense(bool straight, int n, double noise, double point_tolerance) {
+  ProbeProblem p;
+  Random random(3);
+  std::vector<Vec> points;
+  for (int i = 0; i < n; ++i) {
+    const double u = static_cast<double>(i) / (n - 1), angle = 2 * M_PI * random.uniform();
+    const double e = i > 0 && i + 1 < n ? noise * random.uniform() : 0;
+    const Vec at = straight ? Vec{10 * u, 0, 0} : Vec{std::cos(u * M_PI / 2), std::sin(u * M_PI / 2), 0};
+    points.push_back(at + Vec{e * std::cos(angle), e * std::sin(angle), 0});
+  }
+  p = problem(points, 0.05);
+  p.point_tolerance = point_tolerance;
+  merge_points(p);
+  return p;
+}
+
+TEST(Optimal, DensePointsOfAnArcCostNothingWithNoiseOrWithout) {
+  const double sparse = optimal(dense(false, 33, 0, 1e-6)).duration();
+  for (const int n : {101, 401, 3000})
+    for (const double share : {0.0, 0.9})
+      for (const double point_tolerance : {1e-6, 3e-4})
+        EXPECT_LT(optimal(dense(false, n, share * point_tolerance, point_tolerance)).duration(), 1.01 * sparse)
+            << n << " " << share << " " << point_tolerance;
+}
+
+TEST(Optimal, DensePointsOfAStraightCostNothingWithNoiseOrWithout) {
+  for (const int n : {11, 401, 3000})
+    for (const double share : {0.0, 0.9}) {
+      const ProbeMotion plan = optimal(dense(true, n, share * 3e-4, 3e-4));
+      EXPECT_LT(plan.duration(), 1.0001 * 0.67) << n << " " << share;
+      for (double t = 0; t < plan.duration(); t += 0.01) EXPECT_EQ(plan.motion->evaluate(t).position[1], 0) << t;
+    }
+}
+
+TEST(Optimal, PointsOnAStraightTakeTheTimeOfSnapAloneWhereNothingElseLimits) {
+  for (const double tolerance : {0.0, 0.05}) {
+    const ProbeProblem p =
+        problem({{0, 0}, {1.4, 0}, {3.1, 0}, {5.2, 0}, {8.8, 0}, {10, 0}}, tolerance, 2, 1e5, 1e8, 1e11);
+    EXPECT_LT(optimal(p).duration(), 1.002 * std::pow(384 * 10 / 200000.0, 0.25)) << tolerance;
+  }
+}
+
+TEST(Optimal, MoreTimeLeavesNoMoreRipple) {
+  ProbeProblem p = problem({{0, 0}, {4, 0}, {4, 3}}, 0.2);
+  p.objective = ProbeObjective::ripple;
+  double before = 1e9;
+  for (const double stretch : {1.5, 3.0, 12.0}) {
+    p.stretch = stretch;
+    const double ripple = probe_figures(p, optimal(p), silent_scope()).speed_ripple;
+    EXPECT_LE(ripple, 1.02 * before) << stretch;
+    before = ripple;
+  }
+}
+
 TEST(Optimal, RandomSetsAreRightNeverSlowerThanTheirStartAndNeverBelowTheBound) {
   Random random(5);
   for (int i = 0; i < bahnwerk::testing::cases(12); ++i) {

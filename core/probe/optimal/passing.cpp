@@ -1,0 +1,137 @@
+#include "core/probe/optimal/passing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/numeric/bisection.hpp"
+#include "core/probe/bezier.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using namespace probe;
+
+class PointFinder {
+ public:
+  PointFinder(const ProbeProblem& problem, const SplineMotion& motion)
+      : problem_(problem),
+        motion_(motion),
+        rounding_(coordinate_rounding(problem)),
+        first_(problem.points.size() + 1, problem.given.size()) {
+    for (std::size_t i = problem.given.size(); i-- > 0;) first_[problem.point_of[i]] = i;
+  }
+
+  /// Returns the time in [from, to] at which the motion is nearest to the middle of what the point stands for: before
+  /// it the motion comes nearer.
+  double nearest(std::size_t point, double from, double to) {
+    Vec low = problem_.given[first_[point]], high = low;
+    for (std::size_t i = first_[point]; i < first_[point + 1]; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        low[k] = std::min(low[k], problem_.given[i][k]), high[k] = std::max(high[k], problem_.given[i][k]);
+    const Vec at = (low + high) / 2;
+    const Bisection when = bisect(from, to, 0, steps, [&](double t) {
+      const State now = state(t);
+      return dot(now.x - at, now.v) < 0;
+    });
+    return (when.low + when.high) / 2;
+  }
+  /// Returns the first time in [from, t] from which on the point is passed, where it is passed at t.
+  double entered(std::size_t point, double from, double t) {
+    return passed(point, from) ? from : bisect(from, t, 0, steps, [&](double at) { return !passed(point, at); }).high;
+  }
+  /// Returns the last time in [t, to] up to which the point is passed, where it is passed at t.
+  double left(std::size_t point, double t, double to) {
+    return passed(point, to) ? to : bisect(t, to, 0, steps, [&](double at) { return passed(point, at); }).low;
+  }
+
+  bool passed(std::size_t point, double t) {
+    const Vec x = state(t).x;
+    for (std::size_t i = first_[point]; i < first_[point + 1]; ++i)
+      if (!(norm(problem_.given[i] - x) <= reach() + rounding_)) return false;
+    return true;
+  }
+
+  /// Returns whether the motion stays in the tube of the edge from its time `from` to its time `to`.
+  bool in_tube(std::size_t edge, double from, double to) {
+    const Vec a = problem_.points[edge], b = problem_.points[edge + 1];
+    const double most = problem_.tolerance + rounding_;
+    locate(from);
+    for (std::size_t i = piece_; i < motion_.pieces() && motion_.begin(i) < to; ++i) {
+      const double begin = std::max(from, motion_.begin(i)), end = std::min(to, motion_.end(i));
+      if (!(begin < end)) continue;
+      std::array<Vec, Bezier::max_points> c{};
+      std::size_t n = 1;
+      for (std::size_t k = 0; k < motion_.axes(); ++k) {
+        Polynomial p;
+        motion_.polynomial(i, k, p);
+        if (begin > motion_.begin(i)) p = shifted(std::move(p), begin - motion_.begin(i), 1);
+        n = std::max(n, p.size());
+        for (std::size_t d = 0; d < p.size(); ++d) c[d][k] = p[d];
+      }
+      const double peak = peak_of(
+          bezier(c.data(), n, end - begin), [&](Vec x) { return distance_from_edge(x, a, b); }, most);
+      if (peak > most) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr int steps = 60;
+  struct State {
+    Vec x, v;
+  };
+  State state(double t) {
+    locate(t);
+    const MotionState s = motion_.in_piece(piece_, t);
+    State out;
+    for (std::size_t k = 0; k < motion_.axes(); ++k) out.x[k] = s.position[k], out.v[k] = s.velocity[k];
+    return out;
+  }
+  void locate(double t) {
+    while (piece_ > 0 && motion_.begin(piece_) > t) --piece_;
+    while (piece_ + 1 < motion_.pieces() && motion_.end(piece_) <= t) ++piece_;
+  }
+  double reach() const { return 0.9995 * problem_.point_tolerance; }
+
+  const ProbeProblem& problem_;
+  const SplineMotion& motion_;
+  double rounding_;
+  std::vector<std::size_t> first_;  // the first given point of each point
+  std::size_t piece_ = 0;
+};
+
+}  // namespace
+
+Passing pass_points(const ProbeProblem& problem, const SplineMotion& motion, const std::vector<std::size_t>& chosen,
+                    const std::vector<double>& times) {
+  PointFinder finder(problem, motion);
+  Passing out;
+  out.times.assign(problem.points.size(), 0.0);
+  for (std::size_t c = 0; c + 1 < chosen.size(); ++c) {
+    const std::size_t from = chosen[c], to = chosen[c + 1];
+    out.times[from] = times[c], out.times[to] = times[c + 1];
+    std::vector<double> latest(to - from + 1, times[c + 1]), earliest(to - from + 1, times[c]);
+    for (std::size_t i = from + 1; i < to; ++i) {
+      out.times[i] = finder.nearest(i, times[c], times[c + 1]);
+      if (!finder.passed(i, out.times[i])) continue;
+      earliest[i - from] = finder.entered(i, times[c], out.times[i]);
+      latest[i - from] = finder.left(i, out.times[i], times[c + 1]);
+    }
+    for (std::size_t i = to - from; i-- > 1;) latest[i] = std::min(latest[i], latest[i + 1]);
+    // A chosen point may have been moved for the points beside it.
+    bool open = to > from + 1 && ((from > 0 && !finder.passed(from, times[c])) ||
+                                  (to + 1 < problem.points.size() && !finder.passed(to, times[c + 1])));
+    for (std::size_t i = from + 1; i < to; ++i) {
+      double& t = out.times[i];
+      t = std::max({std::min(t, latest[i - from]), earliest[i - from], out.times[i - 1]});
+      t = std::min(t, times[c + 1]);
+      open = open || !finder.passed(i, t);
+    }
+    for (std::size_t e = from; e < to && !open; ++e) open = !finder.in_tube(e, out.times[e], out.times[e + 1]);
+    if (open) out.open.push_back(c);
+  }
+  return out;
+}
+
+}  // namespace bahnwerk

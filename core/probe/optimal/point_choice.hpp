@@ -1,0 +1,58 @@
+#pragma once
+/// The points at which cells of the optimal probe motion begin and end, where the problem has more of them than that
+/// takes.
+///
+/// A motion with a bounded snap S that passes points every h s differs between them from a smooth motion through the
+/// same points by about S h⁴/100. Where that is less than point_tolerance, points between say nothing more, and cells
+/// shorter than h only follow what noise the points have. So points are chosen about h apart, by the time of the
+/// quickest straight as long as the polyline, and moved to a smooth curve near to all (core/probe/optimal/
+/// point_fit.hpp); a motion through them is tried on all points (core/probe/optimal/passing.hpp). Where it misses one,
+/// split() chooses more.
+#include <cstddef>
+#include <vector>
+
+#include "core/probe/problem.hpp"
+
+namespace bahnwerk {
+
+struct ChosenPoints {
+  std::vector<std::size_t> index;  ///< indices of points, ascending, the first and the last one among them
+  std::vector<Vec> at;             ///< place of each, mm
+  std::vector<double> ball;        ///< radius about the place in which the motion may pass, mm
+  std::vector<double> tube;        ///< radius about the segment from each to the next one, mm
+};
+
+class PointChoice {
+ public:
+  explicit PointChoice(const ProbeProblem& problem);
+
+  /// Returns the chosen points; chooses more where no smooth curve through them is near enough to the others.
+  ChosenPoints chosen();
+  /// Chooses one point more between the chosen points of each edge of `open`, an edge of the last chosen().
+  void split(const std::vector<std::size_t>& open);
+  /// Chooses all points.
+  void choose_all();
+
+ private:
+  struct Place {
+    Vec at;           // mm
+    double room = 0;  // distance from there that point_tolerance leaves to all given points of the point, mm
+  };
+  Place place(std::size_t point, Vec at) const;
+  void choose_between(std::size_t from, std::size_t to, std::vector<char>& list);
+  std::vector<std::size_t> listed(const std::vector<char>& list) const;
+  void fit();
+  bool fit(std::size_t from, std::size_t to);
+
+  const ProbeProblem& problem_;
+  std::vector<std::size_t> first_;  // the first given point of each point
+  std::vector<Place> places_;       // the points' own places, or those on the smooth curve
+  std::vector<char> fitted_;        // the point's place is on the smooth curve
+  std::vector<double> along_;       // mm, of each given point, about
+  std::vector<double> time_;        // s, about
+  std::vector<char> knot_;          // the smooth curve has a knot there
+  std::vector<char> chosen_;        // all knots, and more
+  std::vector<std::size_t> last_;   // what chosen() returned
+};
+
+}  // namespace bahnwerk
