@@ -19,8 +19,8 @@ using namespace blending;
 
 constexpr double min_tolerance = 1e-5, max_tolerance = 1e3;  // mm
 constexpr double tiny_share = 0.01;                          // part of the tolerance below which lines are merged
-constexpr double used_share = 0.97;                          // part of the tolerance that blends use, after merging
-constexpr double fitted_share = 0.975;                       // part of the tolerance that a blend is proven to keep
+constexpr double used_share = 0.98;                          // part of the tolerance that blends use, after merging
+constexpr double fitted_share = 0.984;                       // part of the tolerance that a blend is proven to keep
 constexpr double reversal = 170 * 3.14159265358979323846 / 180;
 constexpr double fastest = 1e6;           // mm/s, where nothing limits the speed
 constexpr double shortest_rest = 1e-9;    // mm of a segment that is worth keeping between two blends

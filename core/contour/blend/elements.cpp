@@ -84,47 +84,74 @@ Element whole(const Path& path, std::size_t i, std::size_t block) {
   return e;
 }
 
-/// Appends lines [first, last) of one block with their vertices thinned: none closer than `tiny` to the previous one.
+/// Returns the indices of the vertices that remain of a chain: its ends, and those at least `tiny` from the one before.
+/// Every other vertex is closer than that to one that remains.
+std::vector<std::size_t> remaining(const std::vector<Vec>& vertices, double tiny) {
+  constexpr double no_length = 1e-12;  // mm
+  std::vector<std::size_t> list{0};
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const auto near = [&](std::size_t other) { return norm(vertices[i] - vertices[other]) < tiny; };
+    const bool last = i + 1 == vertices.size();
+    if (near(list.back()) && !last) continue;
+    if (last && list.size() > 1 && !near(list[list.size() - 2])) {  // the end is fixed: the vertex before it may go
+      std::size_t k = i;
+      while (k >= list.back() && near(k)) --k;
+      if (k < list.back()) list.pop_back();
+    }
+    if (norm(vertices[i] - vertices[list.back()]) >= no_length) list.push_back(i);
+  }
+  return list;
+}
+
+/// Appends lines [first, last) of one block with their vertices thinned. Both directions of a chain keep the same
+/// vertices.
 void append_lines(const Path& path, std::size_t first, std::size_t last, const std::vector<std::size_t>& blocks,
                   double tiny, std::vector<Element>& out) {
-  const std::size_t at = out.size();
-  Vec from = start_of(path[first]);
-  std::size_t begin = first;  // first segment since the previous vertex
-  for (std::size_t i = first; i < last; ++i) {
-    const Vec to = end_of(path[i]);
-    const double length = norm(to - from);
-    const bool final = i + 1 == last;
-    if (length < tiny && !final) continue;
-    if (length < tiny && out.size() > at) {
-      // The end is fixed, so the vertex before it is removed.
-      Element& e = out.back();
-      const Vec way = to - e.from;
-      if (norm(way) >= tiny) {
-        e.segment = nullptr;
-        e.length = norm(way);
-        e.tangent = way / e.length;
-        continue;
-      }
+  const auto short_line = [&](std::size_t i) { return path[i].length() < tiny; };
+  std::size_t i = first;
+  while (i < last && !short_line(i)) ++i;
+  if (i == last) {
+    for (i = first; i < last; ++i) out.push_back(whole(path, i, blocks[i]));
+    return;
+  }
+  std::vector<Vec> vertices{start_of(path[first])};
+  for (i = first; i < last; ++i) vertices.push_back(end_of(path[i]));
+  const bool from_end = begins_at_end(path[first].s0(), path[last - 1].s1(), [&](double s) { return path.at(s).value; });
+  if (from_end) std::reverse(vertices.begin(), vertices.end());
+  std::vector<std::size_t> list = remaining(vertices, tiny);
+  if (from_end) {
+    std::reverse(vertices.begin(), vertices.end());
+    std::reverse(list.begin(), list.end());
+    for (std::size_t& vertex : list) vertex = last - first - vertex;
+  }
+  for (std::size_t k = 1; k < list.size(); ++k) {
+    const std::size_t begin = list[k - 1], end = list[k];
+    if (end == begin + 1) {
+      out.push_back(whole(path, first + begin, blocks[first]));
+      continue;
     }
-    if (length < 1e-12) continue;
-    if (begin == i) {
-      out.push_back(whole(path, i, blocks[i]));
-    } else {
-      Element e;
-      e.from = from;
-      e.length = length;
-      e.tangent = (to - from) / length;
-      e.source = path[begin].source();
-      e.block = blocks[i];
-      e.first = begin;
-      out.push_back(e);
-    }
-    from = to;
-    begin = i + 1;
+    Element e;
+    e.from = vertices[begin];
+    e.length = norm(vertices[end] - e.from);
+    e.tangent = (vertices[end] - e.from) / e.length;
+    e.source = path[first + begin].source();
+    e.block = blocks[first];
+    e.first = first + begin;
+    out.push_back(e);
   }
 }
 
 }  // namespace
+
+bool begins_at_end(double a, double b, const std::function<Vec(double)>& point) {
+  constexpr double clear = 1e-7;
+  const Vec begin = point(a), end = point(b);
+  for (const double part : {0.5, 0.25, 0.125, 0.375, 0.0625, 0.1875, 0.3125, 0.4375}) {
+    const double first = norm(point(a + part * (b - a)) - begin), last = norm(point(b - part * (b - a)) - end);
+    if (std::abs(first - last) > clear * std::max(first, last)) return first > last;
+  }
+  return false;
+}
 
 std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::size_t last,
                                      const std::vector<std::size_t>& blocks, double tiny, double reversal,

@@ -2,6 +2,7 @@
 /// The parts of a contour between two places at which the path has to stay, as sequences of curves.
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -42,10 +43,16 @@ struct ElementRun {
   std::size_t near(double t, std::size_t from) const;
 };
 
+/// Returns whether a curve between two places t is traversed from its end: the first of several chords decides that is
+/// longer at the beginning than its mirror image at the end, by 1e-7 of its length. The choice is independent of the
+/// frame and of the direction of the curve; a curve that is its own mirror image begins at its beginning. `point`
+/// returns the point at t, mm; it is called 16 times at most.
+bool begins_at_end(double a, double b, const std::function<Vec(double)>& point);
+
 /// Divides the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and
-/// at cusps. Lines shorter than `tiny` mm are merged with neighbours of their block: vertices move by at most twice
-/// that, borders of blocks not at all, and each block has at least one element. `blocks[i]` is the block of segment i.
-/// O(segments); reports to `progress`.
+/// at cusps. Lines shorter than `tiny` mm are merged with neighbours of their block, beginning at one end that
+/// begins_at_end() chooses: vertices move by at most that, borders of blocks not at all, and each block has at least one
+/// element. `blocks[i]` is the block of segment i. O(segments); reports to `progress`.
 std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::size_t last,
                                      const std::vector<std::size_t>& blocks, double tiny, double reversal,
                                      ProgressScope& progress);

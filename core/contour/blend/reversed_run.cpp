@@ -1,25 +1,11 @@
 #include "core/contour/blend/reversed_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "core/contour/blend/smooth_scale.hpp"
 #include "core/geometry/curve/reversed.hpp"
 
 namespace bahnwerk::blending {
-
-bool begins_at_end(const ElementRun& stretch, const RunRange& range) {
-  constexpr double clear = 1e-7;
-  const double length = range.b - range.a;
-  const Vec begin = point_of(stretch, range.a), end = point_of(stretch, range.b);
-  for (const double part : {0.5, 0.25, 0.125, 0.375, 0.0625, 0.1875, 0.3125, 0.4375}) {
-    const double first = norm(point_of(stretch, range.a + part * length) - begin),
-                 last = norm(point_of(stretch, range.b - part * length) - end);
-    if (std::abs(first - last) > clear * std::max(first, last)) return first > last;
-  }
-  return false;
-}
 
 ReversedRun::ReversedRun(const ElementRun& stretch, const RunRange& range) : given_(range) {
   const std::size_t first = stretch.find(range.a, 0);

@@ -8,11 +8,6 @@
 
 namespace bahnwerk::blending {
 
-/// Returns whether a run is smoothed from its end: the first of several chords decides that is longer at the beginning
-/// than its mirror image at the end, by 1e-7 of its length. The choice is independent of the frame and of the direction
-/// of the contour; a run that is its own mirror image begins at its beginning. O(log elements).
-bool begins_at_end(const ElementRun& stretch, const RunRange& range);
-
 /// A range of an element run, traversed backwards.
 class ReversedRun {
  public:

@@ -18,7 +18,7 @@ namespace bahnwerk::blending {
 namespace {
 
 constexpr int max_rounds = 8;
-constexpr double site_share = 0.96;  // part of the tolerance used at the sites; the rest is for the places between them
+constexpr double site_share = 0.99;  // part of the tolerance used at the sites; the rest is for the places between them
 constexpr double site_step = 0.25;   // largest distance of sites, as a part of H
 constexpr double slowest = 0.05;     // smallest |f'|: below it the curve all but turns round in a point
 
@@ -381,7 +381,7 @@ class WindowedRun {
 SmoothedRun smooth_run(const ElementRun& stretch, const RunRange& range, const std::vector<double>& borders,
                        const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& progress) {
   SmoothedRun run;
-  if (begins_at_end(stretch, range)) {
+  if (begins_at_end(range.a, range.b, [&](double t) { return point_of(stretch, t); })) {
     const ReversedRun back(stretch, range);
     run = back.turned_back(WindowedRun(back.stretch(), back.range(), tolerance, dimension, rests, progress).run());
   } else {

@@ -90,7 +90,6 @@ TEST(SmoothRun, BackwardsItBecomesTheSameCurve) {
     std::reverse(points.begin(), points.end());
     const Smoothable back(points);
     const double length = there.stretch.length();
-    EXPECT_NE(begins_at_end(there.stretch, {0, length}), begins_at_end(back.stretch, {0, length}));
     const SmoothedRun a = there.smoothed(0, length), b = back.smoothed(0, length);
     ASSERT_TRUE(a.done && b.done);
     const std::size_t count = a.pieces.size();

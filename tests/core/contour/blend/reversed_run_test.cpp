@@ -34,12 +34,6 @@ TEST(ReversedRun, ItsPlacesAreThoseOfTheRunFromItsEnd) {
     EXPECT_LE(norm(point_of(turned.stretch(), t) - point_of(hook.stretch, length - t)), 1e-9) << t;
 }
 
-TEST(ReversedRun, OneOfBothDirectionsBeginsAtTheEnd) {
-  const Hook there(false), back(true);
-  const RunRange all{0, there.stretch.length(), false, false};
-  EXPECT_NE(begins_at_end(there.stretch, all), begins_at_end(back.stretch, all));
-}
-
 TEST(ReversedRun, BreaksComeBackInTheGivenDirection) {
   const Hook hook(false);
   const double length = hook.stretch.length();
