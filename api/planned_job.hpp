@@ -6,6 +6,10 @@
 
 #include "core/base/setpoint_source.hpp"
 
+namespace bahnwerk {
+class Progress;
+}
+
 namespace bahnwerk::api {
 
 /// A planned document: what a job stores, and what the command line writes.
@@ -15,5 +19,9 @@ struct PlannedJob {
   bool verified = false;
   std::string failure = {};  ///< the failed checks of a plan that is not verified, as text for a person
 };
+
+/// Returns the result document as text, and asks `progress` meanwhile (stage "storing", every 256 KiB): it may have
+/// hundreds of megabytes.
+std::string result_text(const PlannedJob& planned, Progress& progress);
 
 }  // namespace bahnwerk::api

@@ -15,7 +15,7 @@
 namespace bahnwerk::api {
 namespace {
 
-constexpr std::array<ProblemType, 34> catalogue{{
+constexpr std::array<ProblemType, 35> catalogue{{
     // Problems of requests.
     {"invalid-json", 400, "The body is not valid JSON",
      "The body has to be one JSON document (RFC 8259) in UTF-8: no NaN or Infinity, no duplicate keys, no comments, "
@@ -49,6 +49,9 @@ constexpr std::array<ProblemType, 34> catalogue{{
      "A result and setpoints exist only once the job has succeeded, and a running job cannot be deleted. Wait for the "
      "job "
      "(GET /v1/jobs/{id} with `Prefer: wait=30`) or cancel it first."},
+    {"precondition-failed", 412, "The resource is not in the state that the request asks for",
+     "`If-Match` names another ETag than the job has now, or `If-None-Match` the one it has. Read the job again and "
+     "decide anew; nothing was changed."},
     {"no-result", 409, "The job ended without a result",
      "The job failed or was cancelled, so it has neither a result nor setpoints and never will have. `error` is the "
      "job's own problem document: it says why and what to change."},
@@ -60,8 +63,10 @@ constexpr std::array<ProblemType, 34> catalogue{{
      "The queue is full. Repeat the request after the number of seconds given in `Retry-After`; nothing was stored."},
     {"unauthorized", 401, "The request carries no valid credentials",
      "Send the credentials that the operator of this server gave you."},
-    {"forbidden", 403, "The credentials do not allow this",
-     "The credentials are valid, but not for this operation. Ask the operator of this server."},
+    {"forbidden", 403, "This request is not allowed",
+     "`detail` says why: the credentials are not for this operation, the host that was asked is no name of this "
+     "service "
+     "(`--allowed-host`), or a page of another site sent the request. Ask the operator of this server."},
     {"draining", 503, "The server is about to stop and takes no more jobs",
      "Repeat the request after the number of seconds given in `Retry-After`, or ask another instance; nothing was "
      "stored."},
@@ -107,7 +112,8 @@ constexpr std::array<ProblemType, 34> catalogue{{
     {"cancelled", 0, "The job was cancelled",
      "Someone asked for it with POST /v1/jobs/{id}/cancel. Post the document again if needed."},
     {"worker-lost", 0, "The process that planned the job died repeatedly",
-     "The job was given up after it ended its worker more than once. Please report it together with the document."},
+     "The job was given up after its process had ended three times while it planned this job and no other. Please "
+     "report it together with the document."},
     {"internal", 500, "Something went wrong inside the server",
      "This is a fault of the server, not of the request. Report it with the value of `X-Request-Id` or the job's id."},
 }};

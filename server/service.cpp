@@ -5,6 +5,7 @@
 
 #include "api/planned_job.hpp"
 #include "server/http/middleware.hpp"
+#include "server/http/packing.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/descriptors.hpp"
 #include "server/runtime/log.hpp"
@@ -15,6 +16,8 @@ namespace {
 
 /// Checks of posted documents have their own threads: they may take long, and queries of jobs must not wait for them.
 constexpr unsigned check_threads = 2;
+
+constexpr unsigned health_threads = 2;
 
 /// Time after which a silent worker of a shared store loses its jobs to others.
 constexpr std::chrono::milliseconds worker_lease{30'000};
@@ -39,19 +42,24 @@ Engine real_engine() { return {api::parse_job, api::plan_job}; }
 Service::Service(const ServiceOptions& options, Engine engine, const TimeSource& time)
     : options_(options), time_(time), notifier_(time) {
   // The address first: whoever cannot have it must not leave a new database behind. Nobody is answered before start().
-  const Handler handler = compose({request_id(), access_log(), count(metrics_), guard()},
-                                  [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
+  const auto offload = [this](std::function<void()> work) { scans_->post(std::move(work)); };
+  const Handler handler =
+      compose({request_id(), access_log(), count(metrics_), pack_answers(offload), guard(), same_site(hosts_)},
+              [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
   listener_ = std::make_unique<Listener>(
       affordable(options.limits),
-      ListenerHooks{.handler = handler,
-                    .offload = [this](std::function<void()> work) { pool_->post(std::move(work)); },
-                    .connections = [this](std::size_t open) { metrics_.connections(open); }});
+      ListenerHooks{.handler = handler, .offload = offload, .connections = [this](std::size_t open) {
+                      metrics_.connections(open);
+                    }});
   check_store(options.store);
   listener_->open(options.listen);
+  hosts_ = allowed_hosts(options.listen, listener_->address(), options.allowed_hosts);
   store_ = open_store(
       options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); },
       options.store_reserve);
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
+  scans_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
+  health_ = std::make_unique<Pool>(health_threads);
   checks_ = std::make_unique<Pool>(check_threads);
   heavy_ = std::make_unique<Pool>(1, options.worker_nice);
   // The owner of a file needs no clock to detect that a worker has ended: it would have ended itself.
@@ -59,9 +67,11 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                        store_->shared() ? std::optional(worker_lease) : std::nullopt, time_);
   deadlines_ = std::make_unique<Deadlines>(*store_, time_);
   follow_changes();
-  context_ = std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *checks_, *heavy_, metrics_,
-                                               std::move(engine.parse), options.max_queued, options.limits.max_body,
-                                               draining_, options.build, time_, options.event_heartbeat});
+  metrics_.build(options.build.version, options.build.commit);
+  context_ =
+      std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *scans_, *health_, *checks_, *heavy_,
+                                        metrics_, std::move(engine.parse), options.max_queued, options.limits.max_body,
+                                        draining_, options.build, time_, options.event_heartbeat, options.workers});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
   add_meta_routes(router_, *context_);
@@ -81,6 +91,8 @@ Service::~Service() {
   workers_.reset();
   checks_->join();
   heavy_->join();
+  scans_->join();
+  health_->join();
   pool_->join();
   deadlines_.reset();
   store_.reset();
@@ -89,15 +101,15 @@ Service::~Service() {
 void Service::follow_changes() {
   ChangeFeed::Hooks hooks;
   hooks.changed = [this](const std::vector<Changed>& changes) {
-    std::size_t queued = 0;
+    std::size_t queued = 0, ended = 0;
     for (const Changed& change : changes) {
       if (change.cancel_requested) live_.cancel(change.id);
-      queued += change.state == api::JobState::queued ? 1 : 0;
+      (change.state == api::JobState::queued ? queued : ended) += change.state == api::JobState::running ? 0 : 1;
       notifier_.changed(change.id);
     }
-    if (queued == 0) return;
-    workers_->notify(queued);
-    deadlines_->notify();
+    // A job that has to run alone begins when others have ended, and others when it has.
+    if (queued + ended > 0) workers_->notify(queued + ended);
+    if (queued > 0) deadlines_->notify();
   };
   hooks.all = [this] { notifier_.all_changed(); };
   feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks));
@@ -139,7 +151,8 @@ Service::Drained Service::drain() {
   const bool answered = stop_listening(std::max(left(until), options_.answer_patience));
   // A client that was cut off, or has left, may have left a check behind for which nobody waits.
   const auto rest = std::max(until, Clock::now() + options_.answer_patience / 2);
-  const bool idle = checks_->wait_idle(left(rest)) && heavy_->wait_idle(left(rest)) && pool_->wait_idle(left(rest));
+  const bool idle = checks_->wait_idle(left(rest)) && heavy_->wait_idle(left(rest)) && scans_->wait_idle(left(rest)) &&
+                    health_->wait_idle(left(rest)) && pool_->wait_idle(left(rest));
   try {
     // A planner that gets no processor time cannot put its job back; whatever it still does comes too late then.
     if (stuck)
@@ -149,7 +162,7 @@ Service::Drained Service::drain() {
     log::error("checkpoint_failed", {{"detail", error.what()}});
   }
   log::info("drain_finished", {{"requests_cut_off", !answered}});
-  return idle && !stuck ? Drained::clean : Drained::late;
+  return stuck ? Drained::stuck : idle ? Drained::clean : Drained::late;
 }
 
 }  // namespace bahnwerk::server

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "server/http/listener.hpp"
+#include "server/http/same_site.hpp"
 #include "server/jobs/change_feed.hpp"
 #include "server/jobs/deadlines.hpp"
 #include "server/jobs/workers.hpp"
@@ -22,6 +23,7 @@ struct ServiceOptions {
   unsigned workers = 1;  ///< planner threads; 0 = accepts jobs without planning them
   unsigned http_threads = 2;
   std::size_t max_queued = 10'000;
+  std::vector<std::string> allowed_hosts;  ///< names by which clients ask for it; see allowed_hosts()
   Limits limits;
   std::chrono::milliseconds event_heartbeat{15'000};  ///< longest silence of a stream of events
   std::chrono::milliseconds drain_timeout{10'000};    ///< time for running jobs after the end was requested
@@ -53,9 +55,9 @@ class Service {
   void probe(std::function<void()> answered);
   /// Ends orderly: new jobs are refused, running ones may finish within the drain timeout and return to the queue
   /// otherwise, requests in flight are answered within that time, too, and the store is checkpointed. It takes at most
-  /// the drain timeout, both patiences and 100 ms. clean: all threads are at rest; late: some request or planner is
-  /// not, its work is lost (its job is back in the queue), and only _exit is safe.
-  enum class Drained { clean, late };
+  /// the drain timeout, both patiences and 100 ms. clean: all threads are at rest; late: some request is not;
+  /// stuck: some planner is not, its work is lost and its job is back in the queue. Only _exit is safe unless clean.
+  enum class Drained { clean, late, stuck };
   Drained drain();
 
  private:
@@ -66,11 +68,12 @@ class Service {
   const TimeSource& time_;
   Metrics metrics_;
   std::unique_ptr<Store> store_;
+  AllowedHosts hosts_;
   Router router_;
   Notifier notifier_;
   LiveJobs live_;
-  std::unique_ptr<Listener> listener_;  ///< the first member: sockets outlive pool, store and workers
-  std::unique_ptr<Pool> pool_, checks_, heavy_;
+  std::unique_ptr<Listener> listener_;  ///< sockets outlive the members below
+  std::unique_ptr<Pool> pool_, scans_, health_, checks_, heavy_;
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<Deadlines> deadlines_;
   std::unique_ptr<ChangeFeed> feed_;

@@ -28,6 +28,7 @@ const double* RowCursor::next() {
     block_.clear();
     series_->read(first_ + given_ * every_, (wanted - 1) * every_ + 1, block_);
     if (block_.size() != ((wanted - 1) * every_ + 1) * width) throw std::runtime_error("setpoints: short read");
+    for (double& value : block_) value += 0.0;  // -0 becomes 0: the formats of text do not distinguish them
     loaded_ += wanted;
     offset_ = 0;
   }

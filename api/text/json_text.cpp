@@ -185,7 +185,10 @@ json parse_json(std::string_view text, Progress* progress) {
                                              std::to_string(bytes >> 20) + " MiB of memory, at most " +
                                              std::to_string(max_document_memory >> 20) + " MiB are allowed.");
   Builder builder(progress);
-  if (json::sax_parse(text.begin(), text.end(), &builder)) return std::move(builder.root);
+  const bool read = json::sax_parse(text.begin(), text.end(), &builder);
+  if (const std::size_t nul = text.find('\0'); read && nul != text.npos)  // the library takes it for the end
+    throw Problem("invalid-json", position(text, nul + 1) + "a NUL byte");
+  if (read) return std::move(builder.root);
   if (builder.too_large) throw Problem("payload-too-large", "In the document " + builder.fault + ".");
   std::vector<FieldError> errors;
   if (!builder.fault_pointer.empty()) {

@@ -1,10 +1,15 @@
 #include "api/text/pointer.hpp"
 
 namespace bahnwerk::api {
+namespace {
+
+constexpr std::size_t longest_token = 500;  // bytes of a member's name; an answer must not repeat megabytes of it
+
+}  // namespace
 
 void append_token(std::string& pointer, std::string_view token) {
   pointer += '/';
-  for (char c : token) {
+  for (char c : shortened(token, longest_token)) {
     if (c == '~')
       pointer += "~0";
     else if (c == '/')
@@ -20,12 +25,13 @@ std::string pointer(std::string_view prefix, const std::vector<std::string>& pla
   return text;
 }
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  if (text.size() <= longest) return '"' + std::string(text) + '"';
+std::string shortened(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return std::string(text);
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return '"' + std::string(text.substr(0, end)) + "…\"";
+  return std::string(text.substr(0, end)) + "…";
 }
+
+std::string in_quotes(std::string_view text) { return '"' + shortened(text) + '"'; }
 
 }  // namespace bahnwerk::api

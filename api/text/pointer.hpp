@@ -6,12 +6,14 @@
 
 namespace bahnwerk::api {
 
-/// Appends "/" and the token with "~" and "/" escaped.
+/// Appends "/" and the token with "~" and "/" escaped; of a name longer than 500 bytes its begin and "…".
 void append_token(std::string& pointer, std::string_view token);
 /// Returns `prefix` and one token per element of `place`, e.g. ("/spec", {"contour", "points", "7"}) →
 /// "/spec/contour/points/7".
 std::string pointer(std::string_view prefix, const std::vector<std::string>& place);
-/// Returns a user's text in quotes for use inside a message, cut after 60 bytes at the boundary of a character.
+/// Returns a user's text for use inside a message: cut after that many bytes, at the boundary of a character, with "…".
+std::string shortened(std::string_view text, std::size_t longest = 60);
+/// Returns a user's text, shortened, in quotes.
 std::string in_quotes(std::string_view text);
 
 }  // namespace bahnwerk::api

@@ -1,7 +1,14 @@
 #include "server/cli/cli.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "api/kind.hpp"
@@ -11,33 +18,67 @@
 namespace bahnwerk::server::cli {
 namespace {
 
-/// A duration in seconds.
+/// A duration in seconds, from `least` on: with a shorter one the service could not serve. CLI's own range lets NaN
+/// pass.
 CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::chrono::milliseconds& value,
-                         const std::string& text) {
-  return app
-      .add_option_function<double>(
-          name,
-          [&value](double seconds) { value = std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1e3)); },
-          text)
-      ->check(CLI::Range(0.0, 86400.0))
+                         const std::string& text, double least = 0.1) {
+  constexpr double longest = 86400;
+  const auto set = [&value, name, least](double seconds) {
+    if (!(seconds >= least && seconds <= longest))
+      throw CLI::ValidationError(name, "must be from " + nlohmann::json(least).dump() + " to 86400 s");
+    value = std::chrono::milliseconds(std::llround(seconds * 1e3));
+  };
+  return app.add_option_function<double>(name, set, text)
       ->default_str(std::to_string(value.count() / 1000))
       ->type_name("SECONDS");
 }
 
-void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::string& level) {
-  const auto env = [](CLI::Option* option) {
-    std::string name = "BAHNWERK_";
-    for (const char c : option->get_lnames().front()) name += c == '-' ? '_' : static_cast<char>(std::toupper(c));
-    option->envname(name);
+/// A number of bytes, at least `least`, with or without a suffix. CLI's own form takes -1 for a very large number.
+CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::size_t& value, const std::string& text,
+                       std::size_t least = 1) {
+  const auto check = [least](const std::string& given) -> std::string {
+    const double bytes = std::strtod(given.c_str(), nullptr);
+    if (given.empty() || given.find_first_not_of("0123456789") == 0 || !(bytes >= static_cast<double>(least)) ||
+        bytes > 1e18)
+      return "must be a number of bytes, at least " + std::to_string(least) + ", such as 8MiB";
+    return "";
   };
+  // Validators run from the last to the first.
+  return app.add_option(name, value, text)->transform(CLI::AsSizeValue(false))->check(CLI::Validator(check, "BYTES"));
+}
+
+/// Returns the variable of the environment that stands for a flag.
+std::string variable_of(const CLI::Option& option) {
+  std::string name = "BAHNWERK_";
+  for (const char c : option.get_lnames().front()) name += c == '-' ? '_' : static_cast<char>(std::toupper(c));
+  return name;
+}
+
+/// Returns a variable that looks like a setting of the service and is none; empty: there is none. Kubernetes makes
+/// variables for a service of this name.
+std::string unknown_variable(const CLI::App& serve) {
+  static constexpr std::array<std::string_view, 4> others{"BAHNWERK_SERVER", "BAHNWERK_SERVICE_", "BAHNWERK_PORT",
+                                                          "BAHNWERK_TEST_"};
+  for (char** each = environ; *each != nullptr; ++each) {
+    const std::string_view line(*each), name = line.substr(0, line.find('='));
+    if (!name.starts_with("BAHNWERK_")) continue;
+    if (std::any_of(others.begin(), others.end(), [&](auto other) { return name.starts_with(other); })) continue;
+    const auto options = serve.get_options();
+    const auto stands_for = [&](const CLI::Option* option) { return option->get_envname() == name; };
+    if (std::none_of(options.begin(), options.end(), stands_for)) return std::string(name);
+  }
+  return "";
+}
+
+void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::string& level) {
+  const auto env = [](CLI::Option* option) { option->envname(variable_of(*option)); };
   env(app.add_option("--listen", options.listen, "address to serve on; port 0 picks a free one")
           ->type_name("HOST:PORT"));
   env(app.add_option("--store", options.store, "where jobs live: sqlite:PATH")->type_name("URL"));
-  env(app.add_option(
-             "--store-reserve", options.store_reserve,
-             "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "
-             "with a suffix: 8MiB")
-          ->transform(CLI::AsSizeValue(false)));
+  env(add_bytes(app, "--store-reserve", options.store_reserve,
+                "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "
+                "with a suffix: 8MiB",
+                0));
   env(app.add_option("--workers", options.workers, "planner threads; 0 accepts jobs without planning them")
           ->check(CLI::Range(0, 1024)));
   env(app.add_option("--worker-nice", options.worker_nice,
@@ -46,12 +87,16 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
   env(app.add_option("--role", role, "all = serve and plan; api and worker need a store that processes share")
           ->check(CLI::IsMember({"all", "api", "worker"})));
   env(app.add_option("--http-threads", options.http_threads, "socket threads")->check(CLI::Range(1, 64)));
-  env(app.add_option("--max-queued", options.max_queued, "waiting jobs before new ones are refused (429)"));
-  env(app.add_option("--max-body", options.limits.max_body, "largest request body, bytes or with a suffix: 64MiB")
-          ->transform(CLI::AsSizeValue(false)));
-  env(app.add_option("--max-bodies", options.limits.max_bodies,
-                     "bytes of all request bodies in hand at one time before further ones are refused (503)")
-          ->transform(CLI::AsSizeValue(false)));
+  env(app.add_option("--max-queued", options.max_queued, "waiting jobs before new ones are refused (429)")
+          ->check(CLI::Range(1, 1'000'000'000)));
+  env(add_bytes(app, "--max-body", options.limits.max_body, "largest request body, bytes or with a suffix: 64MiB"));
+  env(add_bytes(app, "--max-bodies", options.limits.max_bodies,
+                "bytes of all request bodies in hand at one time before further ones are refused (503)"));
+  env(app.add_option("--allowed-host", options.allowed_hosts,
+                     "a name by which clients ask for this service, as often as needed; others get 403. Without it: "
+                     "beyond loopback every name, on loopback its names")
+          ->delimiter(',')
+          ->type_name("NAME"));
   env(app.add_option("--max-connections", options.limits.max_connections,
                      "open connections; one more and the longest idle is closed, or the new one refused (503)")
           ->check(CLI::Range(1, 1'000'000)));
@@ -66,18 +111,22 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
   env(add_seconds(app, "--body-timeout", options.limits.body_timeout,
                   "for a request's body, plus 1 s per 100 kB received (408)"));
   env(add_seconds(app, "--stall-timeout", options.limits.stall_timeout,
-                  "after which a body that stands still makes room for another connection"));
+                  "after which a body that stands still makes room for another connection", 0));
   env(add_seconds(app, "--idle-timeout", options.limits.idle_timeout, "between requests of a connection"));
   env(add_seconds(app, "--write-timeout", options.limits.write_timeout,
                   "for each piece of an answer, plus 1 s per 100 kB"));
-  env(add_seconds(app, "--drain-timeout", options.drain_timeout, "that running jobs may go on after SIGTERM"));
+  env(add_seconds(app, "--drain-timeout", options.drain_timeout, "that running jobs may go on after SIGTERM", 0));
   env(add_seconds(app, "--event-heartbeat", options.event_heartbeat,
                   "of silence on a stream of events, then a comment says that it is alive"));
   env(app.add_option("--log-level", level, "least level logged")
           ->check(CLI::IsMember({"debug", "info", "warn", "error"})));
 }
 
-int run_serve(const ServiceOptions& options, const std::string& role, const std::string& level) {
+int run_serve(const CLI::App& app, const ServiceOptions& options, const std::string& role, const std::string& level) {
+  if (const std::string name = unknown_variable(app); !name.empty()) {
+    std::cerr << "bahnwerk: " << name << " is no setting; `bahnwerk serve --help` lists them\n";
+    return exit_usage;
+  }
   using log::Level;
   log::set_level(level == "debug"   ? Level::debug
                  : level == "warn"  ? Level::warn
@@ -104,6 +153,8 @@ int run(int argc, char** argv, const BuildInfo& build) {
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
   std::string role = "all", level = "info", job, contour, out, id, server = "http://127.0.0.1:8080", format = "csv",
               layout, frame, key;
+  std::string store = options.store, file;
+  std::chrono::milliseconds patience{60'000};
   bool wait = false, ready = false;
 
   CLI::App* serve_command =
@@ -152,16 +203,23 @@ int run(int argc, char** argv, const BuildInfo& build) {
   const auto add_server = [&](CLI::App* command) {
     command->add_option("--server", server, "where the service is")->envname("BAHNWERK_SERVER")->type_name("URL");
   };
+  const auto add_patience = [&](CLI::App* command) {
+    add_seconds(*command, "--patience", patience,
+                "how long a server that has answered once is asked again when it does not, as in a restart", 0);
+  };
   CLI::App* submit_command =
       app.add_subcommand("submit", "posts a job document, prints the job (with --wait: the result)");
   submit_command->add_option("job", job, "job document, - for stdin")->required();
   add_contour(submit_command);
   submit_command->add_flag("--wait", wait, "waits for the end");
-  submit_command->add_option("--idempotency-key", key, "the same key and document give the same job");
+  submit_command->add_option("--idempotency-key", key,
+                             "the same key and document give the same job; one is made if none is given");
   add_server(submit_command);
+  add_patience(submit_command);
   CLI::App* watch_command = app.add_subcommand("watch", "follows a job to its end, prints it");
   watch_command->add_option("id", id, "the job")->required();
   add_server(watch_command);
+  add_patience(watch_command);
   CLI::App* fetch_command = app.add_subcommand("fetch", "prints a job's setpoints");
   fetch_command->add_option("id", id, "the job")->required();
   fetch_command->add_option("--format", format, "csv, ndjson or f64 (little-endian doubles, row-major)")
@@ -172,6 +230,15 @@ int run(int argc, char** argv, const BuildInfo& build) {
   CLI::App* health_command = app.add_subcommand("health", "asks whether the service lives, for container checks");
   health_command->add_flag("--ready", ready, "whether it takes jobs, too: its store answers, and it does not end");
   add_server(health_command);
+  const auto add_store = [&](CLI::App* command) {
+    command->add_option("--store", store, "where jobs live: sqlite:PATH")->envname("BAHNWERK_STORE")->type_name("URL");
+  };
+  CLI::App* backup_command = app.add_subcommand("backup", "copies the store into a file, also while the service runs");
+  backup_command->add_option("file", file, "where the copy goes; it is replaced as a whole")->required();
+  add_store(backup_command);
+  CLI::App* check_command =
+      app.add_subcommand("check", "checks whether a store is whole, also while the service runs, or a backup of it");
+  add_store(check_command);
   const std::pair<CLI::App*, const char*> exit_codes[] = {
       {serve_command, "0 ended in order, 1 a planner did not stop in time, 2 could not start"},
       {plan_command, "0 planned and verified, 1 planning failed (problem document on stdout), 2 bad input or usage"},
@@ -184,7 +251,9 @@ int run(int argc, char** argv, const BuildInfo& build) {
       {fetch_command,
        "0 printed, 1 the job failed or was cancelled, 2 refused or bad usage, 3 no server reached, or it cannot serve "
        "now (429, 5xx)"},
-      {health_command, "0 it lives (with --ready: and takes jobs), 2 bad usage, 3 no server reached, or not ready"}};
+      {health_command, "0 it lives (with --ready: and takes jobs), 2 bad usage, 3 no server reached, or not ready"},
+      {backup_command, "0 copied, 2 not: no such store, no room, bad usage"},
+      {check_command, "0 whole, 1 damaged, 2 no such store, bad usage"}};
   for (const auto& [command, codes] : exit_codes) {
     command->footer("Exit codes: " + std::string(codes) + ".");
     // Makes a command read its own environment variables when it is parsed. Without it all commands read theirs after
@@ -201,10 +270,12 @@ int run(int argc, char** argv, const BuildInfo& build) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
   try {
-    if (*serve_command) return run_serve(options, role, level);
+    if (*serve_command) return run_serve(*serve_command, options, role, level);
     if (*plan_command) return plan(read_job(job, contour), out, layout, frame, drives);
-    if (*submit_command) return submit(server, read_job(job, contour), key, wait);
-    if (*watch_command) return watch(server, id);
+    if (*submit_command) return submit(server, read_job(job, contour), key, wait, patience);
+    if (*watch_command) return watch(server, id, patience);
+    if (*backup_command) return backup(store, file);
+    if (*check_command) return check(store);
     if (*health_command) return health(server, ready);
     return fetch(server, id, format, layout, frame);
   } catch (const std::exception& error) {

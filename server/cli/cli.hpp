@@ -1,5 +1,6 @@
 #pragma once
-/// The command line: `bahnwerk serve | plan | submit | watch | fetch | health`.
+/// The command line: `bahnwerk serve | plan | submit | watch | fetch | health | backup | check`.
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,10 +25,16 @@ int serve(const ServiceOptions& options);
 /// setpoints_coarse.csv; throws std::runtime_error for an entry of another form.
 int plan(const std::string& job, const std::string& out, const std::string& layout, const std::string& frame,
          const std::vector<std::string>& drives = {});
-int submit(const std::string& server, const std::string& job, const std::string& key, bool wait);
-int watch(const std::string& server, const std::string& id);
+/// `patience` is how long a server is asked again that has answered before and does not now.
+int submit(const std::string& server, const std::string& job, const std::string& key, bool wait,
+           std::chrono::milliseconds patience);
+int watch(const std::string& server, const std::string& id, std::chrono::milliseconds patience);
 int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout,
           const std::string& frame);
+/// Copies the store named by a URL into a file while it is in use, and prints what the copy has.
+int backup(const std::string& store, const std::string& file);
+/// Checks whether the store named by a URL is whole, and prints what is not.
+int check(const std::string& store);
 /// Asks whether the process is alive, or with `ready` whether it accepts jobs; prints the answer.
 int health(const std::string& server, bool ready);
 

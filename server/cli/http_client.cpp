@@ -8,6 +8,8 @@
 #include <boost/url/parse.hpp>
 #include <boost/url/url_view.hpp>
 
+#include "api/text/base64.hpp"
+
 namespace bahnwerk::server::cli {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
@@ -32,8 +34,8 @@ beast::error_code finish(asio::io_context& io, beast::tcp_stream& stream, std::c
 
 }  // namespace
 
-HttpClient::HttpClient(std::string url) : url_(std::move(url)) {
-  const auto parsed = boost::urls::parse_uri(url_);
+HttpClient::HttpClient(std::string url) : url_(url) {
+  const auto parsed = boost::urls::parse_uri(url);
   if (parsed && parsed->scheme() == "https")
     throw std::invalid_argument("https is not available; use http://HOST:PORT");
   if (!parsed || parsed->scheme() != "http" || parsed->host().empty())
@@ -42,24 +44,30 @@ HttpClient::HttpClient(std::string url) : url_(std::move(url)) {
   port_ = parsed->has_port() ? std::string(parsed->port()) : "80";
   prefix_ = parsed->encoded_path();
   while (prefix_.ends_with('/')) prefix_.pop_back();
+  if (!parsed->has_userinfo()) return;
+  authorization_ = "Basic " + api::base64(parsed->user() + ":" + parsed->password());
+  url_ = "http://" + std::string(parsed->encoded_host_and_port()) + prefix_;  // for messages, without the password
 }
 
 Response HttpClient::request(const std::string& method, const std::string& target, const Pairs& headers,
                              const std::string& body, const std::function<void(std::string_view)>& sink) const {
   asio::io_context io;
   beast::tcp_stream stream(io);
+  bool connected = false;
   const auto check = [&](const beast::error_code& error, const char* what) {
-    if (error) throw Unreachable("no answer from " + url_ + ": " + what + ": " + error.message());
+    if (error) throw Unreachable("no answer from " + url_ + ": " + what + ": " + error.message(), connected);
   };
   beast::error_code error;
   const auto found = asio::ip::tcp::resolver(io).resolve(host_, port_, error);
   check(error, "name lookup");
   check(finish(io, stream, connect_patience, [&](auto done) { stream.async_connect(found, done); }), "connect");
+  connected = true;
 
   http::request<http::string_body> message(http::string_to_verb(method), prefix_ + target, 11);
   message.set(http::field::host, host_ + ":" + port_);
   message.set(http::field::user_agent, "bahnwerk");
   message.set(http::field::connection, "close");
+  if (!authorization_.empty()) message.set(http::field::authorization, authorization_);
   for (const auto& [name, value] : headers) message.set(name, value);
   message.body() = body;
   if (method == "POST" || !body.empty()) message.content_length(body.size());

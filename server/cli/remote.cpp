@@ -1,5 +1,9 @@
 /// The commands submit, watch, fetch and health: a terminal client of the service.
+#include <algorithm>
+#include <charconv>
+#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -9,17 +13,18 @@
 #include "server/cli/http_client.hpp"
 #include "server/cli/progress_bar.hpp"
 #include "server/http/uri.hpp"
+#include "server/runtime/uuid7.hpp"
 
 namespace bahnwerk::server::cli {
 namespace {
 
 using nlohmann::ordered_json;
 
-/// Prints a refusal as the server gave it: the problem document on stdout, its sentence on stderr.
-int refused(const Response& response) {
+/// Prints a refusal as the server gave it: the problem document, its sentence on stderr.
+int refused(const Response& response, std::ostream& out = std::cout) {
   const ordered_json problem = ordered_json::parse(response.body, nullptr, false);
   if (problem.is_object()) {
-    std::cout << problem.dump(2) << std::endl;
+    out << problem.dump(2) << std::endl;
     std::cerr << "bahnwerk: refused with " << response.status << ": " << problem.value("detail", "") << '\n';
   } else {
     std::cerr << "bahnwerk: the server answered " << response.status << " without a problem document\n";
@@ -41,9 +46,57 @@ bool final(const ordered_json& job) {
   return state != "queued" && state != "running";
 }
 
+/// Returns how long to wait before a request is repeated, from Retry-After: seconds or a date [RFC 9110, 10.2.3].
+std::chrono::seconds retry_after(const Response& response) {
+  const std::string text = response.header("Retry-After").value_or("1");
+  long long seconds = 1;
+  if (text.find_first_not_of("0123456789") == std::string::npos) {
+    std::from_chars(text.data(), text.data() + text.size(), seconds);
+  } else {
+    std::tm date{};
+    if (::strptime(text.c_str(), "%a, %d %b %Y %H:%M:%S GMT", &date)) seconds = ::timegm(&date) - std::time(nullptr);
+  }
+  return std::chrono::seconds(std::clamp(seconds, 1LL, 60LL));
+}
+
+/// Repeats requests to a server that restarts, maybe behind a proxy.
+class PatientClient {
+ public:
+  PatientClient(const HttpClient& client, std::chrono::milliseconds patience) : client_(client), patience_(patience) {}
+
+  /// Returns the first answer other than 502, 503 and 504. Repeats where the connection broke, and where there is no
+  /// server any more after one has answered; throws Unreachable when patience is over.
+  Response request(const std::string& method, const std::string& target, const Pairs& headers,
+                   const std::string& body = {}) {
+    const auto until = std::chrono::steady_clock::now() + patience_;
+    for (;;) {
+      std::chrono::milliseconds pause{1000};
+      const auto left = [&] {
+        return std::chrono::duration_cast<std::chrono::milliseconds>(until - std::chrono::steady_clock::now());
+      };
+      try {
+        Response response = client_.request(method, target, headers, body);
+        met_ = true;
+        const bool later = response.status == 502 || response.status == 503 || response.status == 504;
+        if (!later || left() <= left().zero()) return response;
+        pause = retry_after(response);
+      } catch (const Unreachable& error) {
+        met_ = met_ || error.connected;
+        if (!met_ || left() <= left().zero()) throw;
+      }
+      std::this_thread::sleep_for(std::min(pause, left()));
+    }
+  }
+
+ private:
+  const HttpClient& client_;
+  const std::chrono::milliseconds patience_;
+  bool met_ = false;  ///< whether a server has been there
+};
+
 /// Follows the job to its end. The last answer read, a refusal or the job's final resource. On a terminal the server
 /// answers about once a second, for the bar; otherwise once a minute.
-Response follow(const HttpClient& client, const std::string& id) {
+Response follow(PatientClient& client, const std::string& id) {
   ProgressBar bar;
   std::string etag = "\"0\"";  // the tag of no job: the first answer comes at once
   for (;;) {
@@ -78,11 +131,14 @@ int guarded(Work&& work) {
 
 }  // namespace
 
-int submit(const std::string& server, const std::string& job, const std::string& key, bool wait) {
-  const HttpClient client(server);
+int submit(const std::string& server, const std::string& job, const std::string& key, bool wait,
+           std::chrono::milliseconds patience) {
+  const HttpClient once(server);
+  PatientClient client(once, patience);
   return guarded([&] {
     Pairs headers{{"Content-Type", "application/json"}, {"Accept", "application/json"}};
-    if (!key.empty()) headers.emplace_back("Idempotency-Key", key);
+    // With a key a post whose answer was lost can be repeated.
+    headers.emplace_back("Idempotency-Key", key.empty() ? random_id() : key);
     const Response posted = client.request("POST", "/v1/jobs", headers, job);
     if (posted.status != 202) return refused(posted);
     const ordered_json resource = parse(posted);
@@ -91,6 +147,7 @@ int submit(const std::string& server, const std::string& job, const std::string&
       return exit_ok;
     }
     const std::string id = resource.value("id", "");
+    std::cerr << "bahnwerk: job " << id << std::endl;  // for `watch`, whatever happens here
     const Response ended = follow(client, id);
     if (ended.status != 200) return refused(ended);
     const ordered_json last = parse(ended);
@@ -105,8 +162,9 @@ int submit(const std::string& server, const std::string& job, const std::string&
   });
 }
 
-int watch(const std::string& server, const std::string& id) {
-  const HttpClient client(server);
+int watch(const std::string& server, const std::string& id, std::chrono::milliseconds patience) {
+  const HttpClient once(server);
+  PatientClient client(once, patience);
   return guarded([&] {
     const Response ended = follow(client, id);
     if (ended.status != 200) return refused(ended);
@@ -132,7 +190,7 @@ int fetch(const std::string& server, const std::string& id, const std::string& f
     if (!frame.empty()) query += (query.empty() ? "?frame=" : "&frame=") + frame;
     const Response response =
         client.request("GET", job_path(id) + "/setpoints" + query, {{"Accept", types.at(format)}}, {}, print);
-    if (response.status != 200) return refused(response);
+    if (response.status != 200) return refused(response, std::cerr);  // stdout is a file of setpoints, mostly
     if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write the setpoints");
     return exit_ok;
   });

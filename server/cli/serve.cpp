@@ -77,7 +77,8 @@ int serve(const ServiceOptions& options) {
   supervisor.stopping("draining", options.drain_timeout + end_allowance);
   // A second signal takes its default course: the process ends at once.
   pthread_sigmask(SIG_UNBLOCK, &ends, nullptr);
-  if (service->drain() == Service::Drained::late) ::_exit(exit_ok);
+  const auto drained = service->drain();
+  if (drained != Service::Drained::clean) ::_exit(drained == Service::Drained::stuck ? exit_failed : exit_ok);
   service.reset();
   return exit_ok;
 }

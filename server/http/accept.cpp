@@ -41,6 +41,22 @@ std::optional<Coding> content_coding(std::string_view content_encoding) {
   return coding;
 }
 
+bool accepts_gzip(std::string_view accept_encoding) {
+  bool any = false;
+  while (!accept_encoding.empty()) {
+    std::string_view item = cut(accept_encoding, ',');
+    const std::string name = lower(cut(item, ';'));
+    bool wanted = true;
+    while (!item.empty()) {
+      const std::string parameter = lower(cut(item, ';'));
+      if (parameter.starts_with("q=")) wanted = parameter.find_first_of("123456789") != std::string::npos;
+    }
+    if (name == "gzip" || name == "x-gzip") return wanted;
+    if (name == "*") any = wanted;
+  }
+  return any;
+}
+
 bool is_json(std::string_view content_type) {
   if (lower(cut(content_type, ';')) != "application/json") return false;
   while (!content_type.empty()) {

@@ -16,6 +16,9 @@ using api::negotiate;
 enum class Coding { identity, gzip };
 std::optional<Coding> content_coding(std::string_view content_encoding);
 
+/// Tells whether an answer may be packed with gzip, from Accept-Encoding [RFC 9110, 12.5.3].
+bool accepts_gzip(std::string_view accept_encoding);
+
 /// Tells whether a Content-Type header is application/json (any charset parameter must be utf-8).
 bool is_json(std::string_view content_type);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "api/text/pointer.hpp"
 #include "server/runtime/log.hpp"
 #include "server/store/store.hpp"
 
@@ -10,6 +11,8 @@ namespace bahnwerk::server {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr std::size_t longest_instance = 500;  ///< bytes of the target that an answer repeats
 
 std::string dump(const ordered_json& document) {
   return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -42,7 +45,9 @@ Response problem_answer(const api::Problem& problem, std::string_view instance) 
   // Slugs that otherwise only occur in a job's `error` have no status of their own; over HTTP they are the server's
   // fault.
   const int status = problem.type().status == 0 ? 500 : problem.type().status;
-  Response response = problem_response(status, ordered_json(problem.document(instance)));
+  Response response =
+      problem_response(status, ordered_json(problem.document(api::shortened(instance, longest_instance))));
+  response.problem = problem.type().slug;
   if (status == 429 || status == 503 || status == 507) response.set("Retry-After", status == 429 ? "5" : "10");
   return response;
 }
@@ -78,6 +83,10 @@ Response answer_from_current_exception(const Request& request) {
     if (error.full)
       return problem_answer(
           api::Problem("storage-full", "The store has no space left; nothing of this request was kept."),
+          request.target);
+    if (error.busy)
+      return problem_answer(
+          api::Problem("store-unavailable", "Another program has locked the store; nothing of this request was kept."),
           request.target);
     return internal("The store failed; nothing of this request was kept.");
   } catch (const std::exception& error) {

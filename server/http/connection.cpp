@@ -1,5 +1,7 @@
 #include "server/http/connection.hpp"
 
+#include <netinet/tcp.h>
+
 #include <algorithm>
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/post.hpp>
@@ -41,6 +43,19 @@ int fault_status(const error_code& error) {
              : 0;
 }
 
+/// Bytes of blank lines before a request: some clients send one after a body [RFC 9112, 2.2].
+constexpr std::size_t most_blank = 16;
+
+std::size_t skip_blank_lines(beast::flat_buffer& buffer) {
+  std::size_t skipped = 0;
+  for (;;) {
+    const std::string_view text(static_cast<const char*>(buffer.data().data()), buffer.size());
+    if (!text.starts_with("\r\n") || skipped > most_blank) return skipped;
+    buffer.consume(2);
+    skipped += 2;
+  }
+}
+
 /// The error of a request for whose body the memory for all bodies has no room.
 const error_code no_room = make_error_code(boost::system::errc::not_enough_memory);
 
@@ -58,6 +73,20 @@ std::string http_date() {
   gmtime_r(&now, &parts);
   const std::size_t size = std::strftime(text, sizeof text, "%a, %d %b %Y %H:%M:%S GMT", &parts);
   return {text, size};
+}
+
+/// A client whose machine or cable has failed closes nothing: what it does not confirm within this time ends its
+/// connection, a question of ours included that is put to it in silence.
+void notice_vanished_client(asio::ip::tcp::socket& socket) {
+  using Milliseconds = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_USER_TIMEOUT>;
+  using Idle = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPIDLE>;
+  using Interval = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPINTVL>;
+  constexpr int seconds = 30;
+  error_code ignored;
+  socket.set_option(Milliseconds(seconds * 1000), ignored);
+  socket.set_option(asio::socket_base::keep_alive(true), ignored);
+  socket.set_option(Idle(seconds), ignored);
+  socket.set_option(Interval(seconds / 3), ignored);
 }
 
 template <class Message>
@@ -79,6 +108,7 @@ Connection::Connection(asio::ip::tcp::socket socket, std::shared_ptr<ConnectionC
       spare_(spare) {
   error_code ignored;
   stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+  notice_vanished_client(stream_.socket());
   const auto remote = stream_.socket().remote_endpoint(ignored);
   if (!ignored) peer_ = remote.address().to_string();
 }
@@ -111,13 +141,14 @@ void Connection::stop_reading(Cut why) {
 void Connection::cut(Cut why) {
   asio::post(stream_.get_executor(), [self = shared_from_this(), why] {
     self->leaving_ = true;
-    if (self->reading_) self->stop_reading(why);
+    if (self->reading_ && !(self->lingering_ && why == Cut::closing)) self->stop_reading(why);
   });
 }
 
 void Connection::enter(ConnectionTable::Phase phase) {
-  reading_ = phase != ConnectionTable::Phase::busy;
-  context_->table.enter(id_, phase, std::chrono::steady_clock::now());
+  reading_ = phase == ConnectionTable::Phase::waiting || phase == ConnectionTable::Phase::body;
+  if (const auto crowded = context_->table.enter(id_, phase, std::chrono::steady_clock::now()))
+    context_->finish(*crowded);
 }
 
 /// A composed read would miss a cut that falls between two of its parts; this asks before every one.
@@ -139,8 +170,10 @@ asio::awaitable<error_code> Connection::read_header(Parser& parser) {
   else if (buffer_.size() == 0)
     read_until(std::chrono::steady_clock::now() + limits.idle_timeout);
   bool begun = false;
-  for (;;) {
-    if (buffer_.size() > 0) {
+  for (std::size_t blank = 0;;) {
+    if (!begun) blank += skip_blank_lines(buffer_);
+    if (blank > most_blank) co_return http::error::bad_line_ending;
+    if (buffer_.size() > (begun ? 0 : 1)) {
       error_code error;
       buffer_.consume(parser.put(buffer_.data(), error));
       if (error != http::error::need_more) co_return error;
@@ -163,6 +196,8 @@ asio::awaitable<error_code> Connection::read_body(Parser& parser, Request& reque
   for (std::size_t received = 0, fresh = buffer_.size();; fresh = buffer_.size() - fresh) {
     if (!share->add(fresh)) co_return no_room;
     received += fresh;
+    if (parser.chunked() && received > context_->limits.max_body)
+      co_return http::error::body_limit;  // the framing counts, too
     while (buffer_.size() > 0 && !parser.is_done()) {
       error_code error;
       const std::size_t used = parser.put(buffer_.data(), error);
@@ -182,7 +217,8 @@ asio::awaitable<error_code> Connection::read_body(Parser& parser, Request& reque
 
 asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   const Limits& limits = context_->limits;
-  const std::string too_large = "The request body is larger than " + std::to_string(limits.max_body) + " bytes.";
+  const std::string too_large =
+      "The request body, its framing included, is larger than " + std::to_string(limits.max_body) + " bytes.";
   Incoming incoming;
   const auto broken = [&](int status, const std::string& detail) {
     incoming.keep_alive = false;
@@ -231,11 +267,19 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   if (parser.content_length() && *parser.content_length() > limits.max_body) co_return broken(413, too_large);
   if (const auto coding = request.header("transfer-encoding"); coding && lower(*coding) != "chunked")
     co_return broken(501, "Of the transfer codings only chunked is known.");
-  if (message.version() == 11 && message.count(http::field::host) != 1)
+  // What an HTTP/1.0 client, or a proxy before it, takes for the end of this request is not known [RFC 9112, 6.1].
+  if (incoming.http_1_0 && request.header("transfer-encoding"))
+    co_return broken(400, "Before version 1.1 of HTTP a request has no Transfer-Encoding: where it ends is not sure.");
+  const std::size_t hosts = message.count(http::field::host);
+  if (hosts > 1 || (hosts == 0 && message.version() == 11))
     co_return broken(400, "An HTTP/1.1 request needs exactly one Host header.");
+  if (hosts == 1 && !host_of(*request.header("host")))
+    co_return broken(400, "The Host header is no HOST or HOST:PORT.");
   const auto target = parse_target(request.target);
-  if (!target) co_return broken(400, "The request's target is malformed.");
+  if (!target || (target->path == "*" && request.method != "OPTIONS"))
+    co_return broken(400, "The request's target is malformed.");
   request.path = target->path;
+  request.authority = target->authority.empty() ? request.header("host").value_or("") : target->authority;
   request.segments = target->segments;
   request.query = target->query;
   if (spare_ && request.path != "/healthz" && request.path != "/readyz")
@@ -244,7 +288,7 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   if (!parser.is_done()) {
     const auto expect = request.header("expect");
     if (expect && lower(*expect) != "100-continue") co_return broken(417, "Only 100-continue can be expected.");
-    if (expect) {
+    if (expect && !incoming.http_1_0) {  // 100 is not known there [RFC 9110, 10.1.1]
       const bool written = co_await write_raw("HTTP/1.1 100 Continue\r\n\r\n");
       if (!written) co_return std::nullopt;
       stream_.expires_never();
@@ -265,6 +309,13 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
 }
 
 asio::awaitable<Response> Connection::answer(RequestPtr request) {
+  request->listen = [weak = weak_from_this(), answer = answer_](std::function<void()> finish) {
+    const auto self = weak.lock();
+    if (!self) return finish();
+    asio::post(self->stream_.get_executor(), [self, answer, finish = std::move(finish)]() mutable {
+      if (self->answer_ == answer) self->listen(std::move(finish));
+    });
+  };
   const auto handover = std::make_shared<Handover<Response>>(stream_.get_executor());
   {
     const auto promise = std::make_shared<Promise>(handover);
@@ -272,7 +323,9 @@ asio::awaitable<Response> Connection::answer(RequestPtr request) {
       Handover<Response>::set(promise->handover, std::move(response));
     });
   }
-  co_return co_await handover->get();
+  Response response = co_await handover->get();
+  stop_listening();
+  co_return response;
 }
 
 asio::awaitable<bool> Connection::write_raw(std::string text) {
@@ -315,7 +368,7 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
   auto [error, size] = co_await http::async_write_header(stream_, serializer, tuple_awaitable);
   if (error) co_return false;
   if (incoming.request->method == "HEAD") co_return chunked;
-  if (feed) stop_when_gone(feed);
+  if (feed) listen([feed] { feed->stop(); });
 
   const auto pull = std::make_shared<std::function<bool(std::string&)>>(std::move(response.stream));
   for (bool more = true; more;) {
@@ -356,14 +409,43 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
   co_return ended && !feed;  // a feed's connection may have lasted for hours: it ends here
 }
 
-void Connection::stop_when_gone(std::shared_ptr<Feed> feed) {
-  stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
-                              [self = shared_from_this(), feed = std::move(feed)](error_code error) {
-                                error_code ignored;
-                                if (!error && self->stream_.socket().available(ignored) > 0)
-                                  return;  // bytes have arrived: this is not the end
-                                feed->stop();
-                              });
+void Connection::listen(std::function<void()> finish) {
+  finish_ = std::move(finish);
+  enter(ConnectionTable::Phase::listening);
+  finish_when_gone(answer_, false);
+}
+
+bool Connection::client_left() {
+  tcp_info info{};
+  socklen_t size = sizeof info;
+  const int socket = stream_.socket().native_handle();
+  return ::getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size) != 0 || info.tcpi_state != TCP_ESTABLISHED;
+}
+
+// Bytes of a further request hide the end of the connection behind them: then its state is asked for, once a second.
+void Connection::finish_when_gone(std::uint64_t answer, bool asked_again) {
+  const auto look = [weak = weak_from_this(), answer](const error_code& error) {
+    const auto self = weak.lock();
+    if (!self || error == asio::error::operation_aborted || self->answer_ != answer || !self->finish_) return;
+    if (self->client_left()) return std::exchange(self->finish_, nullptr)();
+    self->finish_when_gone(answer, true);
+  };
+  if (!asked_again) return stream_.socket().async_wait(asio::ip::tcp::socket::wait_read, look);
+  timer_.expires_after(std::chrono::seconds(1));
+  timer_.async_wait(look);
+}
+
+void Connection::stop_listening() {
+  ++answer_;
+  if (!finish_) return;
+  finish_ = nullptr;
+  enter(ConnectionTable::Phase::busy);
+}
+
+void Connection::finish_listening() {
+  asio::post(stream_.get_executor(), [self = shared_from_this()] {
+    if (self->finish_) std::exchange(self->finish_, nullptr)();
+  });
 }
 
 asio::awaitable<void> Connection::linger() {
@@ -372,7 +454,10 @@ asio::awaitable<void> Connection::linger() {
   stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   stream_.expires_after(std::chrono::seconds(2));
   buffer_.clear();
-  for (;;) {
+  cut_ = Cut::none;
+  lingering_ = true;
+  enter(ConnectionTable::Phase::waiting);
+  while (cut_ == Cut::none) {
     auto [error, size] = co_await stream_.async_read_some(buffer_.prepare(32 << 10), tuple_awaitable);
     if (error) co_return;
   }
@@ -385,6 +470,7 @@ asio::awaitable<void> Connection::serve() {
     Response response = co_await answer(incoming->request);
     if (response.close || context_->closing || leaving_) incoming->keep_alive = false;
     const bool written = co_await write(std::move(response), *incoming);
+    stop_listening();
     if (!written) break;
     if (!incoming->keep_alive) {
       co_await linger();

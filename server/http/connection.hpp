@@ -30,6 +30,7 @@ struct ConnectionContext {
   ListenerHooks hooks;
   std::shared_ptr<BodyBudget> bodies;
   ConnectionTable table;
+  std::function<void(ConnectionTable::Id)> finish;  ///< ends the answer of another connection's listener
   std::atomic<bool> closing{false};
 };
 
@@ -44,6 +45,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Closes the connection unless a request is being answered; a client in the middle of a request gets a 408. From any
   /// thread.
   void cut(Cut why);
+  void finish_listening();  ///< ends the answer that waits for something to happen, if there is one. From any thread.
 
  private:
   using Time = std::chrono::steady_clock::time_point;
@@ -57,7 +59,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
   boost::asio::awaitable<Response> answer(RequestPtr request);
   boost::asio::awaitable<bool> write(Response response, const Incoming& incoming);
   boost::asio::awaitable<bool> write_stream(Response response, const Incoming& incoming);
-  void stop_when_gone(std::shared_ptr<Feed> feed);  ///< tells the feed when the client closes its side
+  /// Counts as a listener from now on; `finish` ends the answer, when the client closes its side or others need the
+  /// connection.
+  void listen(std::function<void()> finish);
+  void finish_when_gone(std::uint64_t answer, bool asked_again);
+  bool client_left();
+  void stop_listening();
   boost::asio::awaitable<bool> write_raw(std::string text);
   boost::asio::awaitable<void> linger();
   void expire(std::chrono::milliseconds base, std::size_t bytes);
@@ -76,7 +83,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   const bool spare_;
   const Time connected_ = std::chrono::steady_clock::now();
   bool reading_ = false, first_ = true;
-  bool leaving_ = false;  ///< the current request is the last
+  bool lingering_ = false;        ///< the last answer is written, and the client has not closed its side yet
+  bool leaving_ = false;          ///< the current request is the last
+  std::function<void()> finish_;  ///< ends the answer that waits for something to happen
+  std::uint64_t answer_ = 0;      ///< number of the current answer
   Cut cut_ = Cut::none;
 };
 

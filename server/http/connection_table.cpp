@@ -1,5 +1,7 @@
 #include "server/http/connection_table.hpp"
 
+#include <algorithm>
+
 namespace bahnwerk::server {
 
 std::optional<ConnectionTable::Id> ConnectionTable::oldest(const Waiting& waiting, Time now) const {
@@ -8,23 +10,28 @@ std::optional<ConnectionTable::Id> ConnectionTable::oldest(const Waiting& waitin
   return std::nullopt;
 }
 
+ConnectionTable::Waiting* ConnectionTable::set_of(Group& group, Phase phase) {
+  if (phase == Phase::busy) return nullptr;
+  return phase == Phase::listening ? &group.listening : &group.waiting;
+}
+
 void ConnectionTable::list(Id id, const Entry& entry) {
   if (entry.leaving || entry.phase == Phase::busy) return;
   if (entry.spare) {
-    spares_.waiting.emplace(entry.since, id);
+    set_of(spares_, entry.phase)->emplace(entry.since, id);
   } else {
-    all_.waiting.emplace(entry.since, id);
-    addresses_[entry.address].waiting.emplace(entry.since, id);
+    set_of(all_, entry.phase)->emplace(entry.since, id);
+    set_of(addresses_[entry.address], entry.phase)->emplace(entry.since, id);
   }
 }
 
 void ConnectionTable::unlist(Id id, const Entry& entry) {
   if (entry.leaving || entry.phase == Phase::busy) return;
   if (entry.spare) {
-    spares_.waiting.erase({entry.since, id});
+    set_of(spares_, entry.phase)->erase({entry.since, id});
   } else {
-    all_.waiting.erase({entry.since, id});
-    addresses_[entry.address].waiting.erase({entry.since, id});
+    set_of(all_, entry.phase)->erase({entry.since, id});
+    set_of(addresses_[entry.address], entry.phase)->erase({entry.since, id});
   }
 }
 
@@ -74,15 +81,29 @@ ConnectionTable::Admission ConnectionTable::admit(const std::string& address, Ti
   return result;
 }
 
-void ConnectionTable::enter(Id id, Phase phase, Time now) {
+std::optional<ConnectionTable::Id> ConnectionTable::enter(Id id, Phase phase, Time now) {
   const std::lock_guard lock(mutex_);
   const auto found = entries_.find(id);
-  if (found == entries_.end()) return;
-  Entry& entry = found->second;
-  unlist(id, entry);
-  entry.phase = phase;
-  entry.since = now;
-  list(id, entry);
+  if (found == entries_.end()) return std::nullopt;
+  const auto change = [this](Id of, Phase to, Time at) {
+    Entry& entry = entries_.at(of);
+    unlist(of, entry);
+    entry.phase = to;
+    entry.since = at;
+    list(of, entry);
+  };
+  change(id, phase, now);
+  const Entry& entry = found->second;
+  if (phase != Phase::listening || entry.spare || entry.leaving) return std::nullopt;
+  const auto crowded = [](const Group& group, std::size_t most) {
+    return most > 0 && group.listening.size() > std::max<std::size_t>(1, most - most / 4);
+  };
+  const Group& own = addresses_.at(entry.address);
+  const Group* full = crowded(own, rules_.max_per_address) ? &own : crowded(all_, rules_.most) ? &all_ : nullptr;
+  if (!full) return std::nullopt;
+  const Id oldest = full->listening.begin()->second;
+  change(oldest, Phase::busy, now);
+  return oldest;
 }
 
 void ConnectionTable::remove(Id id) {

@@ -15,14 +15,16 @@ namespace bahnwerk::server {
 
 /// Below its limits every connection is admitted. At a limit the connection that has waited longest without a complete
 /// request is closed; an address at its own limit loses one of its own. Where all are busy the new one becomes a spare:
-/// it is served health and readiness only, so that monitoring still sees the service. Thread-safe; every call O(log n).
+/// it is served health and readiness only, so that monitoring still sees the service. Listeners, whose answers take as
+/// long as it takes until something happens, have three quarters of the connections, and of those of their address, at
+/// most: beyond that the one that has listened longest gets its answer. Thread-safe; every call O(log n).
 class ConnectionTable {
  public:
   using Id = std::uint64_t;
   using Time = std::chrono::steady_clock::time_point;
   /// waiting: for the next request, or in the middle of its header; body: in the middle of a body, since its last byte;
-  /// busy: a request is being answered.
-  enum class Phase { waiting, body, busy };
+  /// busy: a request is being answered; listening: its answer waits for something to happen, or is a stream of events.
+  enum class Phase { waiting, body, busy, listening };
   struct Rules {
     std::size_t most = 1024;
     std::size_t max_per_address = 512;  ///< 0 = unlimited
@@ -38,7 +40,8 @@ class ConnectionTable {
 
   explicit ConnectionTable(Rules rules) : rules_(rules) {}
   Admission admit(const std::string& address, Time now);
-  void enter(Id id, Phase phase, Time now);
+  /// Returns the listener whose answer has to end, if there are too many.
+  std::optional<Id> enter(Id id, Phase phase, Time now);
   void remove(Id id);
   std::optional<Id> longest_waiting(Time now);  ///< returns the connection to close when descriptors have run out
   std::size_t size() const;
@@ -53,10 +56,12 @@ class ConnectionTable {
   using Waiting = std::set<std::pair<Time, Id>>;  ///< connections that are not busy, the longest waiting first
   struct Group {
     std::size_t count = 0;  ///< connections that are not being closed
-    Waiting waiting;
+    Waiting waiting, listening;
   };
   std::optional<Id> oldest(const Waiting& waiting, Time now) const;
   void dismiss(Id id);  ///< removes it from all counts
+  /// Returns the set of this group that contains connections in this phase; nullptr for busy ones.
+  static Waiting* set_of(Group& group, Phase phase);
   void list(Id id, const Entry& entry);
   void unlist(Id id, const Entry& entry);
 

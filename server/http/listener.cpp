@@ -44,6 +44,11 @@ class Open {
     if (const auto found = list_.find(id); found != list_.end())
       if (const auto alive = found->second.lock()) alive->cut(Connection::Cut::crowded);
   }
+  void finish_listening(ConnectionTable::Id id) {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = list_.find(id); found != list_.end())
+      if (const auto alive = found->second.lock()) alive->finish_listening();
+  }
   bool drain(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     for (const auto& [id, connection] : list_)
@@ -136,6 +141,7 @@ struct Listener::State {
 Listener::Listener(Limits limits, ListenerHooks hooks) : state_(std::make_unique<State>()) {
   state_->context = std::make_shared<ConnectionContext>(limits);
   state_->context->hooks = std::move(hooks);
+  state_->context->finish = [state = state_.get()](ConnectionTable::Id id) { state->open.finish_listening(id); };
 }
 
 Listener::~Listener() { stop(std::chrono::milliseconds(0)); }

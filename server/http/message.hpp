@@ -21,13 +21,18 @@ struct Fault {
 struct Request {
   std::string method;                 ///< upper case as sent
   std::string target;                 ///< target as sent
-  std::string path;                   ///< decoded path, for messages and logs
+  std::string authority;              ///< HOST[:PORT] that was asked; empty: not given (HTTP/1.0)
+  std::string path;                   ///< decoded path, for messages and logs; "*": the whole server (OPTIONS)
   std::vector<std::string> segments;  ///< the path's parts, each decoded: "/v1/jobs/a%2Fb" → v1, jobs, a/b
   Pairs query;                        ///< decoded parameters, in order
   Pairs headers;                      ///< names in lower case, in order
   std::string body;
   std::shared_ptr<void> body_share;  ///< part of the memory for bodies; returned with the last copy
   std::string peer;                  ///< client's address
+  /// Has to be called, from any thread, by a handler whose answer waits for something to happen. The connection then
+  /// counts as a listener, and calls `finish`, once and from any thread, when the client has left or others need the
+  /// connection: the answer is to be given at once, as it is. Set by the connection; empty in requests without one.
+  std::function<void(std::function<void()> finish)> listen;
 
   std::string id;              ///< request id, set by middleware
   std::string route;           ///< the matched pattern, set by the router; empty when none matched
@@ -58,6 +63,7 @@ struct Response {
   /// block. If it throws, the connection is aborted, so that the client sees that the answer is incomplete.
   std::function<bool(std::string&)> stream;
   std::shared_ptr<Feed> feed;  ///< instead of both; the connection ends with it
+  std::string_view problem;    ///< slug of the problem that it reports; empty: none
   bool close = false;          ///< end the connection after this answer
 
   Response& set(std::string name, std::string value);  ///< replaces a header of that name (exact spelling)

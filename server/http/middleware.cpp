@@ -26,6 +26,15 @@ std::string_view route_label(const Request& request) {
   return request.route.empty() ? std::string_view("unmatched") : std::string_view(request.route);
 }
 
+/// Returns the id of the job that the request is about, or has made.
+std::string job_of(const Request& request, const Response& response) {
+  constexpr std::string_view jobs = "/v1/jobs/";
+  for (const auto& [name, value] : request.parameters)
+    if (name == "id") return value.substr(0, 100);
+  const std::string made = response.header("Location").value_or("");
+  return made.starts_with(jobs) ? made.substr(jobs.size()) : "";
+}
+
 }  // namespace
 
 Middleware request_id() {
@@ -50,6 +59,8 @@ Middleware access_log() {
                          {"route", route_label(*request)}, {"path", request->path.substr(0, 500)},
                          {"status", response.status},      {"ms", seconds_since(start) * 1e3},
                          {"peer", request->peer}};
+        if (const std::string job = job_of(*request, response); !job.empty()) line.push_back({"job", job});
+        if (const auto trace = request->header("traceparent")) line.push_back({"traceparent", trace->substr(0, 100)});
         if (!response.stream) line.push_back({"bytes", response.body.size()});
         log::info("request", line);
         reply(std::move(response));
@@ -63,7 +74,9 @@ Middleware count(Metrics& metrics) {
     return [next = std::move(next), &metrics](RequestPtr request, Reply reply) {
       const auto start = std::chrono::steady_clock::now();
       next(request, [reply = std::move(reply), request, start, &metrics](Response response) {
-        metrics.request(route_label(*request), method_label(request->method), response.status, seconds_since(start));
+        metrics.request(route_label(*request), method_label(request->method), response.status, seconds_since(start),
+                        response.feed || response.header("Preference-Applied"));
+        if (!response.problem.empty()) metrics.refused(response.problem);
         reply(std::move(response));
       });
     };

@@ -8,9 +8,11 @@ namespace bahnwerk::server {
 
 /// Uses the client's X-Request-Id (1–128 visible characters) or generates one, and returns it in the answer.
 Middleware request_id();
-/// Logs one line per request: id, method, route, path, status, ms until the answer's first byte, bytes of its body.
+/// Logs one line per request: id, method, route, path, status, ms until the answer's first byte, bytes of its body, the
+/// job that it is about or has made, the client's traceparent [W3C Trace Context].
 Middleware access_log();
-/// Counts requests by route, method and status, and their latency.
+/// Counts requests by route, method and status, their latency, apart from it that of requests that were told to wait,
+/// and problems by their slug.
 Middleware count(Metrics& metrics);
 /// Turns exceptions of a handler into a problem document; answers broken messages without calling the handler.
 Middleware guard();

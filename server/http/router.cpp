@@ -26,7 +26,7 @@ void check_query(const Pairs& query, const std::vector<std::string_view>& known)
   for (std::size_t i = 0; i < query.size(); ++i) {
     const auto& [name, value] = query[i];
     const auto fault = [&, &key = name](std::string message) {
-      errors.push_back({api::pointer("/query", {key.substr(0, 100)}), std::move(message)});
+      errors.push_back({api::pointer("/query", {api::shortened(key)}), std::move(message)});
     };
     const auto same = [&, &key = name](const auto& other) { return other.first == key; };
     if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -82,6 +82,13 @@ void Router::add(std::string_view method, std::string_view pattern, Handler hand
 }
 
 void Router::operator()(const RequestPtr& request, const Reply& reply) const {
+  if (request->path == "*") {
+    request->route = "*";
+    Response response;
+    response.status = 204;
+    response.set("Allow", "GET, HEAD, POST, DELETE, OPTIONS");
+    return reply(std::move(response));
+  }
   const Route* found = nullptr;
   Pairs parameters;
   for (const Route& route : routes_) {
@@ -92,7 +99,7 @@ void Router::operator()(const RequestPtr& request, const Reply& reply) const {
     request->parameters = parameters;
     if (literal) break;
   }
-  if (!found) throw api::Problem("not-found", "There is nothing at " + request->path + ".");
+  if (!found) throw api::Problem("not-found", "There is nothing at " + api::shortened(request->path) + ".");
   request->route = found->pattern;
   const auto handler = found->methods.find(request->method == "HEAD" ? "GET" : request->method);
   if (handler != found->methods.end()) {
@@ -103,8 +110,9 @@ void Router::operator()(const RequestPtr& request, const Reply& reply) const {
   if (request->method == "OPTIONS") {
     response.status = 204;
   } else {
-    response = problem_answer(api::Problem("method-not-allowed", request->method + " is not possible here; see Allow."),
-                              request->target);
+    response = problem_answer(
+        api::Problem("method-not-allowed", api::shortened(request->method) + " is not possible here; see Allow."),
+        request->target);
   }
   response.set("Allow", found->allow());
   reply(std::move(response));

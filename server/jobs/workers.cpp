@@ -162,7 +162,7 @@ void Workers::run(const api::Job& job) {
     progress.report("planning", 0);
     planned = planner_(job.request.kind, job.request.document, progress);
     if (!planned->verified) {
-      unverified = planned->result.dump();
+      unverified = api::result_text(*planned, progress);
       throw api::Problem("verification-failed",
                          planned->failure.empty() ? "The plan was not verified against its limits." : planned->failure);
     }

@@ -35,7 +35,7 @@ class Workers {
 
   /// `nice` is the difference of their priority to that of the answering threads (Linux).
   void start(unsigned threads, int nice = 0);
-  void notify(std::size_t jobs = 1);  ///< has to be called when `jobs` jobs were queued
+  void notify(std::size_t jobs = 1);  ///< has to be called when `jobs` jobs were queued or have ended
   void stop_claiming();               ///< running jobs continue, no new ones begin
   bool wait_idle(std::chrono::milliseconds
                      patience);  ///< waits until all threads have ended, after stop_claiming; false if they have not

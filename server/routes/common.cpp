@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
+#include "api/text/pointer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/routes/context.hpp"
@@ -10,7 +11,7 @@ namespace bahnwerk::server {
 
 api::Job find_job(Context& context, const std::string& id) {
   auto job = context.store.get(id, false);
-  if (!job) throw api::Problem("not-found", "There is no job " + id + ".");
+  if (!job) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
   context.live.overlay(*job);
   return std::move(*job);
 }
@@ -49,20 +50,35 @@ void require_json(const Request& request) {
     throw api::Problem("not-acceptable", "This address answers application/json only.");
 }
 
-bool matches_etag(const Request& request, const std::string& etag) {
-  const auto given = request.header("if-none-match");
-  if (!given) return false;
-  std::string_view rest = *given;
+namespace {
+
+/// Tells whether a list of tags contains `etag` or is "*"; a weak one counts only where the comparison is weak.
+bool names_etag(std::string_view rest, const std::string& etag, bool weakly) {
   while (!rest.empty()) {
     const std::size_t comma = rest.find(',');
     std::string_view item = rest.substr(0, comma);
     rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
     while (item.starts_with(' ')) item.remove_prefix(1);
     while (item.ends_with(' ')) item.remove_suffix(1);
-    if (item.starts_with("W/")) item.remove_prefix(2);  // If-None-Match compares weakly [RFC 9110, 13.1.2]
+    if (weakly && item.starts_with("W/")) item.remove_prefix(2);
     if (item == "*" || item == etag) return true;
   }
   return false;
+}
+
+}  // namespace
+
+bool matches_etag(const Request& request, const std::string& etag) {
+  const auto given = request.header("if-none-match");
+  return given && names_etag(*given, etag, true);
+}
+
+void require_precondition(const Request& request, const api::Job& job) {
+  const auto given = request.header("if-match");
+  if (given && !names_etag(*given, job_etag(job), false))
+    throw api::Problem("precondition-failed", "The job's ETag is " + job_etag(job) + ".");
+  if (matches_etag(request, job_etag(job)))
+    throw api::Problem("precondition-failed", "The job's ETag is " + job_etag(job) + ", as If-None-Match says.");
 }
 
 Response with_etag(const Request& request, const std::string& etag, Response response) {

@@ -21,7 +21,9 @@ struct Context {
   Store& store;
   LiveJobs& live;
   Notifier& notifier;
-  Pool& pool;
+  Pool& pool;    ///< threads for short reads: a few milliseconds
+  Pool& scans;   ///< threads for what reads or writes much: lists, documents, pages, setpoints, packing, removal
+  Pool& health;  ///< threads for readiness and metrics
   Pool& checks;  ///< threads that check posted documents
   Pool& heavy;   ///< one thread, for large documents: one after the other they cannot exhaust memory together
   Metrics& metrics;
@@ -32,6 +34,7 @@ struct Context {
   const BuildInfo build;
   const TimeSource& time;
   std::chrono::milliseconds event_heartbeat;  ///< longest silence of a stream of events
+  unsigned workers;                           ///< number of planner threads
 };
 
 void add_job_routes(Router& router,
@@ -56,5 +59,8 @@ void require_json(const Request& request);
 /// Answers 304 when If-None-Match names `etag` (quotes included), else `response` with it.
 Response with_etag(const Request& request, const std::string& etag, Response response);
 bool matches_etag(const Request& request, const std::string& etag);
+/// Throws Problem precondition-failed when If-Match does not name the tag of the job, or If-None-Match does: for
+/// requests that change something [RFC 9110, 13.1].
+void require_precondition(const Request& request, const api::Job& job);
 
 }  // namespace bahnwerk::server

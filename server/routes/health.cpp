@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"
+#include "server/runtime/descriptors.hpp"
+#include "server/runtime/memory.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -25,6 +28,17 @@ Response ready(Context& context) {
 
 Response metrics(Context& context) {
   for (const auto& [state, count] : context.store.counts()) context.metrics.jobs(api::to_string(state), count);
+  const StoreStatus store = context.store.status();
+  const double age = store.oldest_queued ? static_cast<double>(context.time.now_ms() - *store.oldest_queued) * 1e-3 : 0;
+  context.metrics.observe({.resident_bytes = static_cast<double>(resident_memory()),
+                           .descriptors = static_cast<double>(open_descriptors()),
+                           .max_descriptors = static_cast<double>(max_descriptors()),
+                           .workers = static_cast<double>(context.workers),
+                           .busy_workers = static_cast<double>(context.live.size()),
+                           .oldest_queued_seconds = std::max(0.0, age),
+                           .store_bytes = store.bytes,
+                           .store_log_bytes = store.log_bytes,
+                           .store_free_bytes = store.free_bytes});
   return uncached(text_answer(200, "text/plain; version=0.0.4; charset=utf-8", context.metrics.text()));
 }
 
@@ -37,8 +51,8 @@ void add_health_routes(Router& router, Context& context) {
                                      {"build", context.build.build}};
   router.add("GET", "/healthz",
              [alive](const RequestPtr&, const Reply& reply) { reply(uncached(json_answer(200, alive))); });
-  router.add("GET", "/readyz", on_pool(context.pool, [&](const Request&) { return ready(context); }));
-  router.add("GET", "/metrics", on_pool(context.pool, [&](const Request&) { return metrics(context); }));
+  router.add("GET", "/readyz", on_pool(context.health, [&](const Request&) { return ready(context); }));
+  router.add("GET", "/metrics", on_pool(context.health, [&](const Request&) { return metrics(context); }));
 }
 
 }  // namespace bahnwerk::server

@@ -10,6 +10,7 @@
 #include "api/problem.hpp"
 #include "api/setpoints/result_units.hpp"
 #include "api/setpoints/setpoints.hpp"
+#include "api/text/pointer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/uri.hpp"
@@ -243,7 +244,7 @@ Response drawing(Context& context, const Request& request) {
   const ordered_json result = text ? read_result(*text) : ordered_json();
   const ordered_json::json_pointer all("/details/drawings");
   if (!result.contains(all) || !result[all].contains(name))
-    throw api::Problem("not-found", "The job " + id + " has no drawing " + name + ".");
+    throw api::Problem("not-found", "The job " + id + " has no drawing " + api::shortened(name) + ".");
   Response response = text_answer(200, std::string(type), result[all][name].get<std::string>());
   // Opened on its own, a picture is a document: it gets no more rights than the page.
   response.set("Content-Security-Policy", "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'none'");

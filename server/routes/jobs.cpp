@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
+#include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"
@@ -65,7 +66,9 @@ Response list(Context& context, const Request& request) {
 Response cancel(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");
-  if (!context.store.cancel(id, context.time.now_ms())) throw api::Problem("not-found", "There is no job " + id + ".");
+  require_precondition(request, find_job(context, id));
+  if (!context.store.cancel(id, context.time.now_ms()))
+    throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
   Response response = job_answer(202, find_job(context, id));
   response.set("Location", "/v1/jobs/" + id);
   return response;
@@ -76,15 +79,16 @@ Response document(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");
   auto job = context.store.get(id, true);
-  if (!job) throw api::Problem("not-found", "There is no job " + id + ".");
+  if (!job) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
   return with_etag(request, "\"spec\"", text_answer(200, "application/json", std::move(job->request.document)));
 }
 
 Response remove(Context& context, const Request& request) {
   const std::string& id = request.parameter("id");
+  require_precondition(request, find_job(context, id));
   switch (context.store.remove(id)) {
     case Removed::unknown:
-      throw api::Problem("not-found", "There is no job " + id + ".");
+      throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
     case Removed::running:
       throw api::Problem("job-not-finished", "The job is running; cancel it first.");
     case Removed::yes:
@@ -100,18 +104,18 @@ Response remove(Context& context, const Request& request) {
 void add_job_routes(Router& router, Context& context) {
   router.add("POST", "/v1/jobs",
              [&](const RequestPtr& request, const Reply& reply) { submit(context, request, reply); });
-  router.add("GET", "/v1/jobs", on_pool(context.pool, [&](const Request& request) { return list(context, request); }),
+  router.add("GET", "/v1/jobs", on_pool(context.scans, [&](const Request& request) { return list(context, request); }),
              {"state", "kind", "reference", "limit", "cursor"});
   router.add("GET", "/v1/jobs/{id}",
              [&](const RequestPtr& request, const Reply& reply) { watch(context, request, reply); });
   router.add("GET", "/v1/jobs/{id}/spec",
-             on_pool(context.pool, [&](const Request& request) { return document(context, request); }));
+             on_pool(context.scans, [&](const Request& request) { return document(context, request); }));
   router.add("GET", "/v1/jobs/{id}/events",
              [&](const RequestPtr& request, const Reply& reply) { events(context, request, reply); });
   router.add("DELETE", "/v1/jobs/{id}",
-             on_pool(context.pool, [&](const Request& request) { return remove(context, request); }));
+             on_pool(context.scans, [&](const Request& request) { return remove(context, request); }));
   router.add("POST", "/v1/jobs/{id}/cancel",
-             on_pool(context.pool, [&](const Request& request) { return cancel(context, request); }));
+             on_pool(context.scans, [&](const Request& request) { return cancel(context, request); }));
 }
 
 }  // namespace bahnwerk::server

@@ -6,6 +6,7 @@
 #include "api/openapi.hpp"
 #include "api/problem.hpp"
 #include "api/schema/embedded.hpp"
+#include "api/text/pointer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
@@ -33,7 +34,8 @@ void schema(const RequestPtr& request, const Reply& reply) {
   std::string name = request->parameter("name");
   if (name.ends_with(".json")) name.resize(name.size() - 5);
   const std::string_view text = name == "openapi" ? std::string_view() : api::embedded(name);
-  if (text.empty()) throw api::Problem("not-found", "There is no schema " + name + "; /v1/kinds lists them.");
+  if (text.empty())
+    throw api::Problem("not-found", "There is no schema " + api::shortened(name) + "; /v1/kinds lists them.");
   Response response = text_answer(200, std::string(offers[*chosen]), std::string(text));
   response.set("Cache-Control", "max-age=60");
   response.set("Vary", "Accept");
@@ -47,7 +49,7 @@ void problem_page(const RequestPtr& request, const Reply& reply) {
   const auto types = api::problem_types();
   const std::string& slug = request->parameter("slug");
   const auto type = std::find_if(types.begin(), types.end(), [&](const auto& each) { return each.slug == slug; });
-  if (type == types.end()) throw api::Problem("not-found", "There is no problem type " + slug + ".");
+  if (type == types.end()) throw api::Problem("not-found", "There is no problem type " + api::shortened(slug) + ".");
   Response response;
   if (*chosen == 0) {
     const std::string where = type->status ? "HTTP status " + std::to_string(type->status)

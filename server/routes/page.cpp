@@ -47,7 +47,7 @@ Response list_page(Context& context, const Request& request) {
 void add_page_routes(Router& router, Context& context) {
   const auto add = [&](const char* pattern, Response (*page)(Context&, const Request&)) {
     router.add("GET", pattern,
-               on_pool(context.pool, [&context, page](const Request& request) { return page(context, request); }));
+               on_pool(context.scans, [&context, page](const Request& request) { return page(context, request); }));
   };
   add("/", list_page);
   add("/jobs/{id}", job_page);

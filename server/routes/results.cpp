@@ -5,6 +5,7 @@
 #include "api/problem.hpp"
 #include "api/setpoints/result_files.hpp"
 #include "api/setpoints/setpoints.hpp"
+#include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"
@@ -17,8 +18,9 @@ Response result(Context& context, const Request& request) {
   const std::string& id = request.parameter("id");
   require_result(context, id);
   auto document = context.store.result(id);
-  if (!document) require_success(context, id);                                    // a failure of an older version
-  if (!document) throw api::Problem("not-found", "There is no job " + id + ".");  // the job was deleted in between
+  if (!document) require_success(context, id);  // a failure of an older version
+  if (!document)
+    throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");  // the job was deleted in between
   return with_etag(request, "\"result\"", text_answer(200, "application/json", std::move(*document)));
 }
 
@@ -58,7 +60,7 @@ Response kind_file(Context& context, const Request& request, const std::string& 
   const std::string& id = request.parameter("id");
   require_success(context, id);
   const auto document = context.store.result(id);
-  if (!document) throw api::Problem("not-found", "There is no job " + id + ".");
+  if (!document) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
   const auto result = nlohmann::json::parse(*document);
   api::ResultFile file = api::result_file(result, layout);
   Response response = text_answer(200, file.content_type, std::move(file.text));
@@ -78,7 +80,7 @@ Response setpoints(Context& context, const Request& request) {
         "Setpoints come as application/json, text/csv, application/x-ndjson or application/octet-stream.");
   require_success(context, id);
   const auto info = context.store.series(id);
-  if (!info) throw api::Problem("not-found", "The job " + id + " has no setpoints.");
+  if (!info) throw api::Problem("not-found", "The job " + api::shortened(id) + " has no setpoints.");
   const auto stream =
       std::make_shared<api::SetpointStream>(api::SetpointStream(stored_series(context.store, *info), query, *format));
   std::string columns;
@@ -98,9 +100,9 @@ Response setpoints(Context& context, const Request& request) {
 
 void add_result_routes(Router& router, Context& context) {
   router.add("GET", "/v1/jobs/{id}/result",
-             on_pool(context.pool, [&](const Request& request) { return result(context, request); }));
+             on_pool(context.scans, [&](const Request& request) { return result(context, request); }));
   router.add("GET", "/v1/jobs/{id}/setpoints",
-             on_pool(context.pool, [&](const Request& request) { return setpoints(context, request); }),
+             on_pool(context.scans, [&](const Request& request) { return setpoints(context, request); }),
              {"first", "count", "every", "columns", "points", "format", "layout", "frame"});
 }
 

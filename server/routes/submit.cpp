@@ -40,11 +40,16 @@ std::string sha256(std::string_view text) {
 }
 
 std::string idempotency_key(const Request& request) {
-  const std::string key = request.header("idempotency-key").value_or("");
-  const bool visible = std::all_of(key.begin(), key.end(), [](char c) { return c >= ' ' && c < 127; });
-  if (key.size() > 255 || !visible)
+  const auto named = [](const auto& header) { return header.first == "idempotency-key"; };
+  const auto key = std::find_if(request.headers.begin(), request.headers.end(), named);
+  if (key == request.headers.end()) return "";
+  if (std::any_of(key + 1, request.headers.end(), named))
+    throw api::Problem("bad-request", "Idempotency-Key is given more than once.");
+  const std::string& text = key->second;
+  const bool visible = std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 127; });
+  if (text.empty() || text.size() > 255 || !visible)
     throw api::Problem("bad-request", "Idempotency-Key takes 1 to 255 printable ASCII characters.");
-  return key;
+  return text;
 }
 
 Response accepted(Context& context, const Inserted& inserted) {

@@ -1,6 +1,7 @@
 #include "server/routes/watch.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 
 #include "server/http/answer.hpp"
@@ -22,7 +23,12 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
         until(context.time.now() + std::chrono::seconds(seconds)),
         progress_from(context.time.now() + progress_interval) {}
 
-  bool over() const { return context.draining || context.time.now() >= until; }
+  /// The connection has to be free: the answer is given as at the end of the time.
+  void finish() {
+    finished = true;
+    context.notifier.wake(token);
+  }
+  bool over() const { return finished || context.draining || context.time.now() >= until; }
   /// Tells whether the client's condition is fulfilled.
   bool due(const api::Job& job) const {
     if (final(job)) return true;
@@ -43,11 +49,17 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
         return reply(std::move(response));
       }
       const auto again = [self = shared_from_this()] { self->context.pool.post([self] { self->look(); }); };
-      const auto token =
+      if (request->listen && !std::exchange(listening, true)) {
+        request->listen([weak = weak_from_this()] {
+          if (const auto alive = weak.lock()) alive->finish();
+        });
+      }
+      token =
           context.notifier.wait(id, next_look(job), again, any_change ? std::optional(progress_from) : std::nullopt);
       // A change between the query and the wait would be missed.
       const api::Job now = find_job(context, id);
-      if (now.revision != job.revision && (due(now) || next_look(now) != next_look(job))) context.notifier.wake(token);
+      if (finished || (now.revision != job.revision && (due(now) || next_look(now) != next_look(job))))
+        context.notifier.wake(token);
     } catch (...) {
       reply(answer_from_current_exception(*request));
     }
@@ -60,6 +72,9 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
   const bool any_change;
   const int wait;
   const Notifier::Clock::time_point until, progress_from;
+  bool listening = false;  ///< whether the connection knows that this one waits
+  std::atomic<bool> finished{false};
+  std::atomic<Notifier::Token> token{0};
 };
 
 }  // namespace

@@ -10,4 +10,7 @@ inline constexpr std::size_t worth_giving_back = 256 << 10;
 /// small blocks, which the allocator would otherwise reserve for later use. Costs about 1 ms per 100 MB.
 void give_back_memory();
 
+/// Returns the resident memory of this process, bytes (Linux; elsewhere 0).
+std::size_t resident_memory();
+
 }  // namespace bahnwerk::server

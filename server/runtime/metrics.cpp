@@ -27,6 +27,29 @@ struct Metrics::State {
           .Name("bahnwerk_http_request_seconds")
           .Help("From the request's last byte to the answer's first, s")
           .Register(registry);
+  prometheus::Family<prometheus::Histogram>& waits =
+      prometheus::BuildHistogram()
+          .Name("bahnwerk_http_wait_seconds")
+          .Help("The same for requests that were told to wait for something to happen, s")
+          .Register(registry);
+  prometheus::Family<prometheus::Counter>& refusals = prometheus::BuildCounter()
+                                                          .Name("bahnwerk_refusals_total")
+                                                          .Help("Requests answered with a problem, by its type")
+                                                          .Register(registry);
+  prometheus::Family<prometheus::Gauge>& builds =
+      prometheus::BuildGauge().Name("bahnwerk_build_info").Help("The program that runs").Register(registry);
+  prometheus::Gauge& gauge(const char* name, const char* help) {
+    return prometheus::BuildGauge().Name(name).Help(help).Register(registry).Add({});
+  }
+  prometheus::Gauge& resident = gauge("process_resident_memory_bytes", "Resident memory, bytes");
+  prometheus::Gauge& descriptors = gauge("process_open_fds", "Open files and sockets");
+  prometheus::Gauge& max_descriptors = gauge("process_max_fds", "Files and sockets that may be open");
+  prometheus::Gauge& workers = gauge("bahnwerk_workers", "Planner threads");
+  prometheus::Gauge& busy = gauge("bahnwerk_workers_busy", "Planner threads that plan a job");
+  prometheus::Gauge& oldest = gauge("bahnwerk_queue_oldest_seconds", "Age of the job that waits longest, s");
+  prometheus::Gauge& store = gauge("bahnwerk_store_bytes", "Size of the store's file, bytes");
+  prometheus::Gauge& store_log = gauge("bahnwerk_store_log_bytes", "Size of the store's log, bytes");
+  prometheus::Gauge& store_free = gauge("bahnwerk_store_free_bytes", "Bytes free on the store's disk");
   prometheus::Family<prometheus::Histogram>& planning = prometheus::BuildHistogram()
                                                             .Name("bahnwerk_planning_seconds")
                                                             .Help("Planning time of jobs by kind and final state, s")
@@ -55,12 +78,33 @@ struct Metrics::State {
 Metrics::Metrics() : state_(std::make_unique<State>()) {}
 Metrics::~Metrics() = default;
 
-void Metrics::request(std::string_view route, std::string_view method, int status, double seconds) {
+void Metrics::request(std::string_view route, std::string_view method, int status, double seconds, bool waited) {
   state_->requests
       .Add({{"route", std::string(route)}, {"method", std::string(method)}, {"status", std::to_string(status)}})
       .Increment();
-  state_->latency.Add({{"route", std::string(route)}, {"method", std::string(method)}}, request_buckets)
+  (waited ? state_->waits : state_->latency)
+      .Add({{"route", std::string(route)}, {"method", std::string(method)}}, request_buckets)
       .Observe(seconds);
+}
+
+void Metrics::refused(std::string_view problem) {
+  state_->refusals.Add({{"reason", std::string(problem)}}).Increment();
+}
+
+void Metrics::build(const std::string& version, const std::string& commit) {
+  state_->builds.Add({{"version", version}, {"commit", commit}}).Set(1);
+}
+
+void Metrics::observe(const Observed& observed) {
+  state_->resident.Set(observed.resident_bytes);
+  state_->descriptors.Set(observed.descriptors);
+  state_->max_descriptors.Set(observed.max_descriptors);
+  state_->workers.Set(observed.workers);
+  state_->busy.Set(observed.busy_workers);
+  state_->oldest.Set(observed.oldest_queued_seconds);
+  state_->store.Set(observed.store_bytes);
+  state_->store_log.Set(observed.store_log_bytes);
+  state_->store_free.Set(observed.store_free_bytes);
 }
 
 void Metrics::planned(std::string_view kind, std::string_view state, double seconds) {

@@ -14,11 +14,19 @@ class Metrics {
   Metrics(const Metrics&) = delete;
   Metrics& operator=(const Metrics&) = delete;
 
-  void request(std::string_view route, std::string_view method, int status, double seconds);
+  void request(std::string_view route, std::string_view method, int status, double seconds, bool waited = false);
+  void refused(std::string_view problem);
   void planned(std::string_view kind, std::string_view state, double seconds);
   void commit(double seconds, std::size_t writes);  ///< counts a transaction of the store
   void connections(std::size_t open);
   void jobs(std::string_view state, std::size_t count);
+  void build(const std::string& version, const std::string& commit);
+  /// What is looked at when somebody asks.
+  struct Observed {
+    double resident_bytes = 0, descriptors = 0, max_descriptors = 0, workers = 0, busy_workers = 0;
+    double oldest_queued_seconds = 0, store_bytes = 0, store_log_bytes = 0, store_free_bytes = 0;
+  };
+  void observe(const Observed& observed);
   std::string text() const;  ///< Prometheus text format 0.0.4
 
  private:

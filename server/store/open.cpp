@@ -21,12 +21,21 @@ std::unique_ptr<Store> open_store(const std::string& url, std::function<void(dou
   options.path = url.substr(7);
   options.observer = std::move(observer);
   options.reserve = reserve;
-  const auto folder = std::filesystem::path(options.path).parent_path();
   std::error_code error;
+  // One file has one name here, whatever links lead to it: lock and reserve are beside it.
+  if (const auto real = std::filesystem::weakly_canonical(options.path, error); !error) options.path = real.string();
+  const auto folder = std::filesystem::path(options.path).parent_path();
+  error.clear();
   if (!folder.empty()) std::filesystem::create_directories(folder, error);
   if (error) throw StoreError("cannot make the store's directory " + folder.string() + ": " + error.message(), false);
   if (std::filesystem::is_directory(options.path, error))
     throw StoreError("the store " + options.path + " is a directory; expected a file", false);
+  const auto disk = std::filesystem::space(folder.empty() ? "." : folder, error);
+  if (!error && disk.capacity > 0 && reserve >= disk.capacity)
+    throw StoreError("the reserve of " + std::to_string(reserve) +
+                         " bytes does not fit on the store's disk, which has " + std::to_string(disk.capacity) +
+                         "; choose a smaller --store-reserve",
+                     false);
   return std::make_unique<SqliteStore>(std::move(options));
 }
 

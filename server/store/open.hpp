@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "server/store/store.hpp"
 
@@ -15,5 +16,17 @@ void check_store(const std::string& url);
 /// operator.
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
                                   std::size_t reserve = 0);
+
+struct BackUp {
+  std::size_t jobs = 0, bytes = 0;
+};
+/// Copies the store named by a URL into `file`, readable by its owner alone, as it is at one moment: jobs that are
+/// accepted meanwhile do not delay it. The file appears when it is complete, in place of an older one. Throws
+/// StoreError with a sentence for the operator.
+BackUp back_up(const std::string& url, const std::string& file);
+
+/// Returns what is wrong with the store named by a URL, in sentences: damaged pages, jobs without their document,
+/// results whose setpoints are not complete. It may be in use. Throws StoreError if it cannot be opened.
+std::vector<std::string> inspect(const std::string& url);
 
 }  // namespace bahnwerk::server

@@ -19,10 +19,10 @@ std::string deadline_error(const std::string& id) {
   return document(id, "deadline-exceeded", "The deadline passed while the job waited in the queue.");
 }
 
-std::string lost_error(const std::string& id, std::int64_t attempts) {
-  return document(
-      id, "worker-lost",
-      "The process ended " + std::to_string(attempts) + " times while it planned this job; it is not tried again.");
+std::string lost_error(const std::string& id, std::int64_t losses) {
+  return document(id, "worker-lost",
+                  "The process ended " + std::to_string(losses) +
+                      " times while it planned this job and no other; it is not tried again.");
 }
 
 }  // namespace bahnwerk::server

@@ -6,7 +6,7 @@
 namespace bahnwerk::server {
 
 std::string cancelled_error(const std::string& id);
-std::string deadline_error(const std::string& id);                     ///< the deadline passed in the queue
-std::string lost_error(const std::string& id, std::int64_t attempts);  ///< returns the problem document worker-lost
+std::string deadline_error(const std::string& id);                   ///< the deadline passed in the queue
+std::string lost_error(const std::string& id, std::int64_t losses);  ///< returns the problem document worker-lost
 
 }  // namespace bahnwerk::server

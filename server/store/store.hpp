@@ -28,6 +28,7 @@ class Store : public ChangeSource {
   virtual std::optional<api::Job> get(const std::string& id, bool with_document = true) = 0;
   virtual std::vector<api::Job> list(const JobFilter& filter) = 0;  ///< newest first, without documents
   virtual std::map<api::JobState, std::size_t> counts() = 0;
+  virtual StoreStatus status() = 0;
   virtual void ping() = 0;  ///< a real query; throws StoreError, also when there is no space for another job
 
   // Attempts: from claim to one of end, succeed, requeue. Each of these changes nothing and returns false when the job
@@ -35,7 +36,8 @@ class Store : public ChangeSource {
 
   /// Claims the next job: highest priority, then first come; it becomes `running` and its attempt number increases by
   /// one. No job is given to two callers. Attempts whose lease ran out before `lease.now` are lost first, as in
-  /// `expire`.
+  /// `expire`. A job with a lost attempt is given to a worker that runs no other one, and that gets none until it has
+  /// ended.
   virtual std::optional<api::Job> claim(const Lease& lease) = 0;
   /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed.
   /// Returns the others: they ended or were lost, and their planners may stop.
@@ -55,8 +57,8 @@ class Store : public ChangeSource {
 
   /// Ends queued jobs whose deadline has passed as deadline-exceeded. Running jobs whose lease has run out have lost
   /// their attempt: they return to the queue with its number, so that the next one differs; they end as cancelled when
-  /// that was requested, or as worker-lost after max_lost_attempts. A few hundred per call; writes only when there are
-  /// any.
+  /// that was requested, or as worker-lost after max_losses_alone. Frees what removed jobs have left. A few hundred
+  /// jobs or some megabytes per call; writes only when there are any.
   virtual Expired expire(std::int64_t now) = 0;
 
   // Requests of clients.
@@ -65,6 +67,7 @@ class Store : public ChangeSource {
   /// job afterwards, without its document.
   virtual std::optional<api::Job> cancel(const std::string& id, std::int64_t now) = 0;
   virtual bool cancel_requested(const std::string& id) = 0;
+  /// Removes the job at once, then its rows piece by piece, so that other writes proceed in between.
   virtual Removed remove(const std::string& id) = 0;
 
   virtual std::optional<std::string> result(const std::string& id) = 0;  ///< the result document's text

@@ -12,10 +12,18 @@
 
 namespace bahnwerk::server {
 
-/// The store failed; no part of the call was stored. `full`: no space left.
+/// The store failed; no part of the call was stored. `full`: no space left; `busy`: another program has it locked.
 struct StoreError : std::runtime_error {
-  StoreError(const std::string& what, bool no_space) : std::runtime_error(what), full(no_space) {}
-  bool full;
+  StoreError(const std::string& what, bool no_space, bool locked = false)
+      : std::runtime_error(what), full(no_space), busy(locked) {}
+  bool full, busy;
+};
+
+/// The room that a store takes, and the age of its queue.
+struct StoreStatus {
+  double bytes = 0, log_bytes = 0;            ///< of the jobs, and of what was not moved to them yet
+  double free_bytes = 0;                      ///< bytes that may still be written
+  std::optional<std::int64_t> oldest_queued;  ///< when the job that waits longest was posted, ms since 1970 UTC
 };
 
 struct NewJob {
@@ -54,9 +62,10 @@ struct Attempt {
   bool operator==(const Attempt&) const = default;
 };
 
-/// A job whose attempts were lost this often (the process died, or its lease ran out) is not tried again: it ends as
-/// worker-lost.
-inline constexpr int max_lost_attempts = 2;
+/// A job whose attempts were lost this often (the process died, or its lease ran out) while the process ran no other
+/// job is not tried again: it ends as worker-lost. Where several ran, nobody knows which one is to blame: each of them
+/// is a suspect, and suspects are planned alone.
+inline constexpr int max_losses_alone = 3;
 
 /// The end of an attempt. `revision` is the last one shown to clients while it ran.
 struct Ending {

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { randomUUID } from 'node:crypto';
 import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
 import test from 'node:test';
 
 const { URL: url, PROXY: proxy, EXAMPLES: examples, WORK: work } = process.env;
@@ -64,6 +65,22 @@ test('stops waiting', async () => {
   assert.match((await failure(client.wait(job.id, { timeout: 0 }))).message, /has not ended/);
   await client.cancel(job.id);
   assert.equal((await failure(client.wait(job.id))).slug, 'cancelled');
+});
+
+test('lives through a restart behind a proxy', async () => {
+  const asked = [];
+  const answers = [[502, {}], [504, {}], [503, { 'Retry-After': new Date(Date.now() + 1000).toUTCString() }]];
+  const server = createServer((request, response) => {
+    const [status, headers] = answers[asked.length] ?? [200, {}];
+    asked.push(request.headers.authorization);
+    response.writeHead(status, headers).end(status === 200 ? '{"id":"x","state":"queued"}' : '<html>Bad Gateway</html>');
+  });
+  await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
+  const restarting = new Client(`http://me:p%40ss@127.0.0.1:${server.address().port}`);
+  assert.equal((await restarting.job('x')).state, 'queued');
+  assert.deepEqual(asked, Array(4).fill('Basic bWU6cEBzcw=='));
+  server.closeAllConnections?.();
+  server.close();
 });
 
 test('gives up where no server is', async () => {

@@ -1,7 +1,11 @@
 """python_client.py URL PROXY EXAMPLES WORK [test…]: called by python.sh."""
+import email.utils
+import http.server
 import json
 import os
 import sys
+import threading
+import time
 import unittest
 import uuid
 from pathlib import Path
@@ -78,6 +82,41 @@ class JobsTest(unittest.TestCase):
         for wrong in ("localhost:8080", "ftp://x", ""):
             with self.assertRaises(ValueError):
                 Client(wrong)
+
+
+class Restarting(http.server.BaseHTTPRequestHandler):
+    """A service that restarts behind a proxy: 502 as nginx answers, 504, 503 with a date, then the job. `asked` holds
+    the Authorization of each request."""
+    asked = []
+
+    def do_GET(self):
+        answers = [(502, {}), (504, {}), (503, {"Retry-After": email.utils.formatdate(time.time() + 1, usegmt=True)})]
+        status, headers = answers[len(self.asked)] if len(self.asked) < len(answers) else (200, {})
+        self.asked.append(self.headers.get("Authorization"))
+        body = b'{"id":"x","state":"queued"}' if status == 200 else b"<html>Bad Gateway</html>"
+        self.send_response(status)
+        for name, value in {**headers, "Content-Length": str(len(body))}.items():
+            self.send_header(name, value)
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, *_):
+        pass
+
+
+class RestartTest(unittest.TestCase):
+    def test_lives_through_a_restart_behind_a_proxy(self):
+        with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Restarting) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            client = Client("http://me:p%%40ss@127.0.0.1:%d" % server.server_address[1])
+            self.assertEqual(client.job("x")["state"], "queued")
+            server.shutdown()
+        self.assertEqual(Restarting.asked, ["Basic bWU6cEBzcw=="] * 4)
+
+    def test_reads_both_forms_of_retry_after(self):
+        self.assertEqual([bahnwerk.retry_after(value) for value in ("7", None, "nonsense", "0")], [7, 1, 1, 0])
+        self.assertEqual(bahnwerk.retry_after("Fri, 31 Dec 9999 23:59:59 GMT"), 3600)
+        self.assertEqual(bahnwerk.retry_after("Sun, 06 Nov 1994 08:49:37 GMT"), 0.1)
 
 
 class EventsTest(unittest.TestCase):

@@ -88,20 +88,20 @@ cut_off() {
   sed '1,/^$/d' "$work/raw" >"$work/body"
   status=$(sed -n '1s/.* \([0-9][0-9][0-9]\) .*/\1/p' "$work/raw")
 }
-cut_off < <(printf 'GET /healthz HTTP/1.1\r\nHost: x\r\nX-Half:')
+cut_off < <(printf 'GET /healthz HTTP/1.1\r\nHost: localhost\r\nX-Half:')
 expect_status 408
 expect_json '.type == "/problems/request-timeout"'
-cut_off < <(printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 50\r\n\r\n{"half')
+cut_off < <(printf 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 50\r\n\r\n{"half')
 expect_problem request-timeout 408
-cut_off < <(printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nTransfer-Encoding: chunked\r\n\r\n5\r\n{"hal')
+cut_off < <(printf 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nTransfer-Encoding: chunked\r\n\r\n5\r\n{"hal')
 expect_problem request-timeout 408
-cut_off < <(printf 'GET /healthz HTTP/1.1\r\nHost: x\r\n' && for _ in $(seq 300); do printf 'X: y\r\n' || break; sleep 0.2; done)
+cut_off < <(printf 'GET /healthz HTTP/1.1\r\nHost: localhost\r\n' && for _ in $(seq 300); do printf 'X: y\r\n' || break; sleep 0.2; done)
 expect_status 408
 cut_off < <(printf '')
 [[ ! -s $work/raw ]] || fail "a connection that never said anything is closed without an answer"
 # A body that keeps coming may take longer than its base time: 1 s more for every 100 kB of it.
 {
-  printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 3000000\r\nConnection: close\r\n\r\n'
+  printf 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 3000000\r\nConnection: close\r\n\r\n'
   head -c 2900000 /dev/zero | tr '\0' ' '
 } >"$work/most"
 head -c 100000 /dev/zero | tr '\0' ' ' >"$work/rest"
@@ -112,9 +112,9 @@ head -c 100000 /dev/zero | tr '\0' ' ' >"$work/rest"
 } | raw_answer | head -n 1 | grep -q ' 400 ' || fail "a steady body was not read to its end"
 # After a request the header's time is the idle one.
 exec 3<>"/dev/tcp/$host/$port"
-printf 'GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n' >&3
+printf 'GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n' >&3
 sleep 3
-printf 'GET /healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n' >&3
+printf 'GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n' >&3
 expect_equal "$(timeout 60 cat <&3 | grep -c '200 OK')" 2 "a connection that rested 3 s"
 exec 3>&- 3<&-
 stop_server || fail "orderly end"
@@ -122,7 +122,7 @@ stop_server || fail "orderly end"
 # Half a body on every connection there is: bodies that have not stood still for long keep their places.
 half_body() {
   exec {fd}<>"/dev/tcp/$host/$port"
-  printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 50\r\n\r\n{"half' >&"$fd"
+  printf 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 50\r\n\r\n{"half' >&"$fd"
   silent+=("$fd")
 }
 start_server --workers 0 --max-connections 20 --spare-connections 4 --body-timeout 600 --stall-timeout 600

@@ -12,36 +12,36 @@ raw() {
 }
 first_line() { head -n 1 | tr -d '\r'; }
 
-expect_equal "$(printf 'GET /healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n' | raw 60 | first_line)" "HTTP/1.1 200 OK"
+expect_equal "$(printf 'GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n' | raw 60 | first_line)" "HTTP/1.1 200 OK"
 # Two requests in one packet: two answers.
-expect_equal "$(printf 'GET /healthz HTTP/1.1\r\nHost: x\r\n\r\nGET /healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n' |
+expect_equal "$(printf 'GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\nGET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n' |
   raw 60 | grep -c '200 OK')" 2 "pipelined"
 expect_equal "$(printf 'GET /healthz HTTP/1.0\r\n\r\n' | raw 60 | first_line)" "HTTP/1.0 200 OK" "HTTP/1.0"
-expect_equal "$(printf 'GET http://x/healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n' | raw 60 | first_line)" \
+expect_equal "$(printf 'GET http://localhost/healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n' | raw 60 | first_line)" \
   "HTTP/1.1 200 OK" "absolute form"
 refused() { expect_equal "$(printf "$2" | raw 60 | first_line | cut -d' ' -f2)" "$1" "for $(head -c 60 <<<"$2")"; }
 refused 400 'nonsense\r\n\r\n'
-refused 400 'GET /%%zz HTTP/1.1\r\nHost: x\r\n\r\n'
-refused 400 'GET nothing HTTP/1.1\r\nHost: x\r\n\r\n'
+refused 400 'GET /%%zz HTTP/1.1\r\nHost: localhost\r\n\r\n'
+refused 400 'GET nothing HTTP/1.1\r\nHost: localhost\r\n\r\n'
 refused 400 'GET / HTTP/1.1\r\n\r\n'
-refused 400 'GET / HTTP/1.1\r\nHost: x\r\nHost: y\r\n\r\n'
-refused 400 'GET / HTTP/1.1\r\nHost: x\r\nBro ken: y\r\n\r\n'
-refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nContent-Length: 6\r\n\r\nhello'
-refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: five\r\n\r\n'
-refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n'
-refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n'
-refused 413 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 99999999\r\n\r\n'
-refused 413 "POST /v1/jobs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n1869f\r\n$(head -c 99999 /dev/zero | tr '\0' a)\r\n10\r\naaaaaaaaaaaaaaaa\r\n"
-refused 417 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nExpect: miracles\r\n\r\n'
-refused 431 "GET / HTTP/1.1\r\nHost: x\r\nX-Long: $(head -c 40000 /dev/zero | tr '\0' a)\r\n\r\n"
-refused 505 'GET / HTTP/2.0\r\nHost: x\r\n\r\n'
-refused 501 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: gzip, chunked\r\n\r\n0\r\n\r\n'
+refused 400 'GET / HTTP/1.1\r\nHost: localhost\r\nHost: y\r\n\r\n'
+refused 400 'GET / HTTP/1.1\r\nHost: localhost\r\nBro ken: y\r\n\r\n'
+refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Length: 5\r\nContent-Length: 6\r\n\r\nhello'
+refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Length: five\r\n\r\n'
+refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n'
+refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n'
+refused 413 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Length: 99999999\r\n\r\n'
+refused 413 "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n1869f\r\n$(head -c 99999 /dev/zero | tr '\0' a)\r\n10\r\naaaaaaaaaaaaaaaa\r\n"
+refused 417 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Length: 5\r\nExpect: miracles\r\n\r\n'
+refused 431 "GET / HTTP/1.1\r\nHost: localhost\r\nX-Long: $(head -c 40000 /dev/zero | tr '\0' a)\r\n\r\n"
+refused 505 'GET / HTTP/2.0\r\nHost: localhost\r\n\r\n'
+refused 501 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: gzip, chunked\r\n\r\n0\r\n\r\n'
 # The refusal is a problem document too.
 printf 'GET / HTTP/1.1\r\n\r\n' | raw 60 | tr -d '\r' | sed '1,/^$/d' >"$work/body"
 expect_json '.type == "/problems/bad-request" and .status == 400 and (.detail | length > 0)'
 
 # Expect: 100-continue gets its 100 before the body is sent.
-expect_equal "$(printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 2\r\nExpect: 100-continue\r\nConnection: close\r\n\r\n{}' |
+expect_equal "$(printf 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2\r\nExpect: 100-continue\r\nConnection: close\r\n\r\n{}' |
   raw 60 | grep -o '^HTTP/1.1 [0-9]*' | tr '\n' ' ')" "HTTP/1.1 100 HTTP/1.1 422 "
 
 # The connection that has been silent longest makes room for the next; twenty are the limit.
@@ -80,8 +80,8 @@ closed_after() {
   took=$((($(date +%s%N) - began) / 1000000))
   ((took >= $1)) || fail "closed after $took ms, expected $1"
 }
-printf 'GET / HTTP/1.1\r\nHost: x\r\nX-Half:' | closed_after 800                               # header never ends
-printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 50\r\n\r\nhalf' | closed_after 800 # body never ends
+printf 'GET / HTTP/1.1\r\nHost: localhost\r\nX-Half:' | closed_after 800                               # header never ends
+printf 'POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Length: 50\r\n\r\nhalf' | closed_after 800 # body never ends
 printf '' | closed_after 800                                                        # says nothing at all
 # Slow loris: bytes that trickle in do not keep the header's time from running. The client ends when it cannot send any more.
 exec 3<>"/dev/tcp/$host/$port"

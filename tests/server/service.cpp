@@ -8,7 +8,9 @@
 #include <random>
 #include <sstream>
 
+#include "api/planned_job.hpp"
 #include "api/problem.hpp"
+#include "core/base/errors.hpp"
 #include "server/cli/http_client.hpp"
 #include "server/runtime/clock.hpp"
 #include "service_fixture.hpp"
@@ -198,6 +200,25 @@ TEST_F(ServiceTest, EndsInTimeWhateverItIsDoing) {
   over = true;
   service.reset();  // waits for the check; the process would not
   checked.join();
+}
+
+TEST_F(ServiceTest, TellsThatAPlannerDidNotStop) {
+  options.drain_timeout = 10ms;
+  options.stop_patience = 50ms;
+  std::atomic<bool> planning{false}, over{false};
+  Engine engine = stub_engine();
+  engine.plan = [&](const std::string&, const std::string&, Progress&) -> api::PlannedJob {
+    planning = true;
+    while (!over) std::this_thread::sleep_for(1ms);
+    throw Infeasible("in the end");
+  };
+  service = std::make_unique<Service>(options, std::move(engine));
+  client = std::make_unique<HttpClient>("http://" + service->address());
+  posted("{}");
+  EXPECT_TRUE(soon([&] { return planning.load(); }));
+  EXPECT_EQ(service->drain(), Service::Drained::stuck);
+  over = true;
+  service.reset();  // waits for the planner; the process would not
 }
 
 TEST_F(ServiceTest, LooksAtJobsWhileDocumentsAreChecked) {

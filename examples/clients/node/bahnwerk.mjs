@@ -16,7 +16,7 @@ import { setTimeout as sleep } from 'node:timers/promises';
 import { pathToFileURL } from 'node:url';
 
 const final = ['succeeded', 'failed', 'cancelled'];
-const retried = [429, 503, 507]; // the service says in Retry-After when asking again may help
+const retried = [429, 502, 503, 504, 507]; // asking again may help: the service is busy, or restarts behind a proxy
 
 /** What the service refused: `document` is its problem document (RFC 9457), `slug` its type without /problems/. */
 export class Problem extends Error {
@@ -40,7 +40,12 @@ export class JobFailed extends Problem {
 export class Client {
   /** `patience`: how long a request that found no server, or one that cannot serve now, is repeated, s; 0: not at all. */
   constructor(server = 'http://127.0.0.1:8080', { patience = 60 } = {}) {
-    this.server = server.replace(/\/+$/, '');
+    const url = new URL(server);
+    const given = url.username || url.password; // http://USER:PASSWORD@HOST, for a proxy that asks who one is
+    const user = `${decodeURIComponent(url.username)}:${decodeURIComponent(url.password)}`;
+    this.headers = given ? { Authorization: `Basic ${Buffer.from(user).toString('base64')}` } : {};
+    url.username = url.password = '';
+    this.server = url.href.replace(/\/+$/, '');
     this.patience = patience;
   }
 
@@ -95,7 +100,7 @@ export class Client {
     for (; ;) {
       const abort = new AbortController();
       try {
-        const headers = { Accept: 'text/event-stream' };
+        const headers = { ...this.headers, Accept: 'text/event-stream' };
         if (last !== undefined) headers['Last-Event-ID'] = last;
         const response = await fetch(this.server + path(id, '/events'), { headers, signal: abort.signal });
         if (response.status === 204) return;
@@ -171,10 +176,11 @@ export class Client {
     for (let giveUp; ;) {
       let pause = 1;
       try {
-        const response = await fetch(this.server + target, options);
+        const headers = { ...this.headers, ...options.headers };
+        const response = await fetch(this.server + target, { ...options, headers });
         if (response.status < 400)
           return { status: response.status, headers: response.headers, body: await response.arrayBuffer() };
-        pause = Number(response.headers.get('Retry-After') ?? 1);
+        pause = retryAfter(response.headers.get('Retry-After'));
         throw await problemOf(response);
       } catch (error) {
         giveUp = this.#giveUpAt(giveUp, error);
@@ -196,6 +202,14 @@ export class Client {
 const path = (id, rest = '') => `/v1/jobs/${encodeURIComponent(id)}${rest}`;
 
 const textOf = (answer) => new TextDecoder().decode(answer.body);
+
+/** Seconds to wait, from either form of Retry-After: a number of seconds or a date; 1 without one. */
+function retryAfter(value) {
+  if (value === null) return 1;
+  if (/^\d+(\.\d+)?$/.test(value)) return Number(value);
+  const seconds = (Date.parse(value) - Date.now()) / 1000;
+  return Number.isNaN(seconds) ? 1 : Math.min(3600, Math.max(0.1, seconds));
+}
 
 async function problemOf(response) {
   const document = await response.json().catch(() => ({})); // a proxy's page is no problem document

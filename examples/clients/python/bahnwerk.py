@@ -13,6 +13,8 @@ As a program: python3 bahnwerk.py JOB.json [--server URL] plans a document and p
 Units are those of the service: mm, s, deg. Every fault that the service reports is a `Problem` with its document.
 """
 import array
+import base64
+import email.utils
 import http.client
 import json
 import socket
@@ -28,7 +30,7 @@ except ImportError:
     numpy = None
 
 FINAL = ("succeeded", "failed", "cancelled")
-RETRIED = (429, 503, 507)  # the service says in Retry-After when asking again may help
+RETRIED = (429, 502, 503, 504, 507)  # asking again may help: the service is busy, or restarts behind a proxy
 
 
 class Problem(Exception):
@@ -76,6 +78,10 @@ class Client:
         if parts.scheme not in ("http", "https") or not parts.hostname:
             raise ValueError("expected http://HOST[:PORT][/PREFIX], got %r" % server)
         self._parts, self.timeout, self.patience = parts, timeout, patience
+        self._headers = {}
+        if parts.username is not None:  # http://USER:PASSWORD@HOST, for a proxy that asks who one is
+            user = "%s:%s" % tuple(urllib.parse.unquote(part or "") for part in (parts.username, parts.password))
+            self._headers["Authorization"] = "Basic " + base64.b64encode(user.encode()).decode()
 
     # Jobs
 
@@ -208,7 +214,7 @@ class Client:
         kind = http.client.HTTPSConnection if self._parts.scheme == "https" else http.client.HTTPConnection
         connection = kind(self._parts.hostname, self._parts.port, timeout=self.timeout)
         try:
-            connection.request(method, self._parts.path.rstrip("/") + path, body, headers)
+            connection.request(method, self._parts.path.rstrip("/") + path, body, {**self._headers, **headers})
             return connection, connection.getresponse()
         except BaseException:
             connection.close()
@@ -224,7 +230,7 @@ class Client:
                 text = response.read()
                 if response.status < 400:
                     return response.status, response.headers, text
-                pause = float(response.headers.get("Retry-After", 1))
+                pause = retry_after(response.headers.get("Retry-After"))
                 self._raise(response.status, text)
             except Problem as problem:
                 if problem.status not in RETRIED:
@@ -256,6 +262,18 @@ class Client:
         except ValueError:  # not from the service: a proxy's page
             document = {}
         raise Problem(status, document if isinstance(document, dict) else {})
+
+
+def retry_after(value):
+    """Seconds to wait, from either form of Retry-After: a number of seconds or a date; 1 without one."""
+    try:
+        return max(0.0, float(value))
+    except (TypeError, ValueError):
+        pass
+    try:
+        return min(3600.0, max(0.1, email.utils.parsedate_to_datetime(value).timestamp() - time.time()))
+    except (TypeError, ValueError):
+        return 1.0
 
 
 def read_events(lines):

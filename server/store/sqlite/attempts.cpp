@@ -1,6 +1,7 @@
 /// SqliteStore: the calls of workers, from claim to end. Every change is conditional on the attempt that makes it.
 #include "server/store/codec.hpp"
 #include "server/store/problems.hpp"
+#include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/rows.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
 
@@ -10,14 +11,25 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
   std::optional<api::Job> job;
   std::string packed;
   bool whole = true;
+  std::optional<std::int64_t> leftovers;  // rows of an earlier attempt have to go before the next one stores its own
   writer_.run(
       [&](SqliteConnection& connection) {
         job.reset();
+        leftovers.reset();
         lose(connection, lease.now, lease.now, max_expired_at_once);
-        Query next =
-            connection.query("SELECT seq FROM jobs WHERE state = 'queued' ORDER BY priority DESC, seq LIMIT 1");
+        Query next = connection.query(
+            "SELECT seq, suspect FROM jobs WHERE state = 'queued' ORDER BY priority DESC, seq LIMIT 1");
         if (!next.step()) return;
         const std::int64_t seq = next.integer(0);
+        // A suspect waits until nothing else runs in this process, and the others until it has ended.
+        Query running = connection.query("SELECT max(suspect) FROM jobs WHERE state = 'running' AND worker = ?");
+        running << lease.worker;
+        running.step();
+        if (!running.null(0) && (next.integer(1) != 0 || running.integer(0) != 0)) return;
+        if (has_leftovers(connection, seq)) {
+          leftovers = seq;
+          return;
+        }
         static const std::string sql = std::string(
                                            "UPDATE jobs SET state = 'running', attempt = attempt + 1, started_at = ?, "
                                            "worker = ?, lease_until = ?, revision = revision + 1, changed = ? "
@@ -34,11 +46,14 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
         if (!spec.step()) throw StoreError("store: a job without its spec", false);
         packed = spec.bytes(0);
         whole = spec.integer(1) != 0;
-        (connection.query("DELETE FROM chunks WHERE seq = ?") << seq)
-            .run();  // these are chunks of an attempt that was lost
         changes_.note(change, job->id, api::JobState::running);
       },
       Writer::row);
+  if (leftovers) {
+    while (free_piece(*leftovers)) {
+    }
+    return claim(lease);
+  }
   if (job) job->request.document = unpack_document(job->request.kind, packed, whole);
   return job;
 }
@@ -87,7 +102,7 @@ bool SqliteStore::end(const std::string& id, int attempt, const Ending& ending) 
              << change << id << std::int64_t{attempt})
                 .run();
         if (ended == 0) return false;
-        drop_chunks(connection, id);
+        leave_chunks(connection, id);
         if (!document.empty()) {
           Query result = connection.query("INSERT INTO results (seq, document) SELECT seq, ? FROM jobs WHERE id = ?");
           result.blob(document);
@@ -119,7 +134,7 @@ bool SqliteStore::requeue(const std::string& id, int attempt, std::int64_t now, 
                    << static_cast<std::int64_t>(revision) << change << id << std::int64_t{attempt})
                       .run();
         if (cancelled + queued == 0) return false;
-        drop_chunks(connection, id);
+        leave_chunks(connection, id);
         changes_.note(change, id, cancelled == 1 ? api::JobState::cancelled : api::JobState::queued);
         return true;
       },

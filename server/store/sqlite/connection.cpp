@@ -3,7 +3,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sqlite3.h>
 
+#include <algorithm>
+#include <atomic>
 #include <map>
+#include <thread>
 
 #include "server/store/store.hpp"
 
@@ -16,6 +19,8 @@ auto guarded(Work&& work) -> decltype(work()) {
   try {
     return work();
   } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_BUSY || error.getErrorCode() == SQLITE_LOCKED)
+      throw StoreError("another program has locked the store", false, true);
     // The shared memory of the log is a file, too.
     const bool full = error.getErrorCode() == SQLITE_FULL || error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE;
     throw StoreError(full ? std::string("no space left for the store") : std::string("store: ") + error.what(), full);
@@ -89,8 +94,21 @@ std::optional<std::int64_t> Query::optional_integer(int column) const {
 }
 
 struct SqliteConnection::State {
-  State(const std::string& path, int flags) : database(path, flags, 5000) {}
+  State(const std::string& path, int flags) : database(path, flags) {
+    sqlite3_busy_handler(database.getHandle(), &State::wait, this);
+  }
+  /// Waits for a lock that another program has; returns 0 when that takes too long.
+  static int wait(void* self, int before) {
+    auto& state = *static_cast<State*>(self);
+    const auto now = std::chrono::steady_clock::now();
+    if (before == 0) state.waiting_since = now;
+    if (now - state.waiting_since >= std::chrono::milliseconds(state.patience_ms)) return 0;
+    std::this_thread::sleep_for(std::chrono::milliseconds(std::min(before + 1, 25)));
+    return 1;
+  }
   SQLite::Database database;
+  std::atomic<std::int64_t> patience_ms{5000};
+  std::chrono::steady_clock::time_point waiting_since;
   std::map<std::string, SQLite::Statement, std::less<>> statements;
 };
 
@@ -104,9 +122,12 @@ SqliteConnection::SqliteConnection(const std::string& path, bool writer, int max
       wal.executeStep();
       if (wal.getColumn(0).getString() != "wal")
         throw StoreError("the store's file system does not support SQLite's WAL", false);
+      // A log that grew while another program read is cut when it begins anew.
+      database.exec("PRAGMA journal_size_limit = 8388608");
     }
     database.exec("PRAGMA synchronous = FULL");
-    database.exec("PRAGMA foreign_keys = ON");
+    // Removing a job would take all rows of its series in the same transaction; see leftovers.hpp.
+    database.exec("PRAGMA foreign_keys = OFF");
     database.exec("PRAGMA temp_store = MEMORY");  // a statement's own journal must not need a disk that is full
     if (!writer) database.exec("PRAGMA query_only = ON");
     if (max_pages > 0) database.tryExec("PRAGMA max_page_count = " + std::to_string(max_pages));
@@ -114,6 +135,10 @@ SqliteConnection::SqliteConnection(const std::string& path, bool writer, int max
 }
 
 SqliteConnection::~SqliteConnection() = default;
+
+std::chrono::milliseconds SqliteConnection::patience(std::chrono::milliseconds patience) {
+  return std::chrono::milliseconds(state_->patience_ms.exchange(patience.count()));
+}
 
 Query SqliteConnection::query(std::string_view sql) {
   auto found = state_->statements.find(sql);

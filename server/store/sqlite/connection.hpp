@@ -1,5 +1,6 @@
 #pragma once
 /// A connection to the database with its prepared statements. Not thread-safe; errors are thrown as StoreError.
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -48,13 +49,15 @@ class Query {
 
 class SqliteConnection {
  public:
-  /// Opens (and for a writer creates) the file: WAL, synchronous=FULL, foreign keys, busy timeout 5 s.
+  /// Opens (and for a writer creates) the file: WAL, synchronous=FULL. A lock of another program is waited for 5 s.
   /// `max_pages` > 0 caps the file's size, for tests of a full disk.
   SqliteConnection(const std::string& path, bool writer, int max_pages = 0);
   ~SqliteConnection();
   SqliteConnection(const SqliteConnection&) = delete;
   SqliteConnection& operator=(const SqliteConnection&) = delete;
 
+  /// Changes how long a lock of another program is waited for, from any thread; returns the time until now.
+  std::chrono::milliseconds patience(std::chrono::milliseconds patience);
   Query query(std::string_view sql);  ///< prepared once, then reused
   void execute(const char* sql);
   void rollback() noexcept;  ///< rolls back an open transaction, if any

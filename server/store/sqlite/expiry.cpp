@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "server/store/problems.hpp"
+#include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/rows.hpp"
 
@@ -33,13 +34,15 @@ std::vector<std::string> SqliteStore::lose(SqliteConnection& connection, std::in
                                            std::size_t most) {
   struct Orphan {
     std::string id;
-    std::int64_t attempt;
+    std::int64_t losses;  ///< attempts that were lost while nothing else ran, this one included
     bool cancelled;
   };
   std::vector<Orphan> orphans;
   {
     Query running = connection.query(
-        "SELECT id, attempt, cancel_requested FROM jobs WHERE state = 'running' AND lease_until <= ? LIMIT ?");
+        "SELECT id, losses + ((SELECT count(*) FROM jobs AS other WHERE other.state = 'running' AND "
+        "other.worker IS jobs.worker) = 1), cancel_requested FROM jobs WHERE state = 'running' AND lease_until <= ? "
+        "LIMIT ?");
     running << until << static_cast<std::int64_t>(most);
     while (running.step()) orphans.push_back({running.text(0), running.integer(1), running.integer(2) != 0});
   }
@@ -47,21 +50,21 @@ std::vector<std::string> SqliteStore::lose(SqliteConnection& connection, std::in
   for (const Orphan& orphan : orphans) {
     const std::int64_t change = changes_.next();
     ids.push_back(orphan.id);
-    if (!orphan.cancelled && orphan.attempt < max_lost_attempts) {
+    leave_chunks(connection, orphan.id);
+    if (!orphan.cancelled && orphan.losses < max_losses_alone) {
       (connection.query("UPDATE jobs SET state = 'queued', started_at = NULL, fraction = 0, stage = '', message = '', "
-                        "revision = revision + ?, changed = ? WHERE id = ?")
-       << lost_leap << change << orphan.id)
+                        "suspect = 1, losses = ?, revision = revision + ?, changed = ? WHERE id = ?")
+       << orphan.losses << lost_leap << change << orphan.id)
           .run();
       changes_.note(change, orphan.id, api::JobState::queued);
-      continue;  // rows that the lost attempt stored go when the next one begins
+      continue;
     }
     const auto state = orphan.cancelled ? api::JobState::cancelled : api::JobState::failed;
-    const std::string error = orphan.cancelled ? cancelled_error(orphan.id) : lost_error(orphan.id, orphan.attempt);
+    const std::string error = orphan.cancelled ? cancelled_error(orphan.id) : lost_error(orphan.id, orphan.losses);
     (connection.query("UPDATE jobs SET state = ?, error = ?, finished_at = ?, revision = revision + ?, changed = ? "
                       "WHERE id = ?")
      << api::to_string(state) << error << now << lost_leap << change << orphan.id)
         .run();
-    drop_chunks(connection, orphan.id);
     changes_.note(change, orphan.id, state);
   }
   return ids;
@@ -75,6 +78,7 @@ Expired SqliteStore::expire(std::int64_t now) {
     deadline << std::int64_t{1};
     if (deadline.step()) expired.next = deadline.integer(1);
     expired.next = earlier(expired.next, next_lease(reader.connection()));
+    if (next_leftovers(reader.connection())) expired.next = now;
     if (!expired.next || *expired.next > now) return expired;
   }
   writer_.run([&](SqliteConnection& connection) {
@@ -100,6 +104,8 @@ Expired SqliteStore::expire(std::int64_t now) {
     }
     expired.lost = lose(connection, now, now, max_expired_at_once);
     expired.next = earlier(expired.next, next_lease(connection));
+    const auto leftovers = next_leftovers(connection);
+    if (leftovers && (free_leftovers(connection, *leftovers) || next_leftovers(connection))) expired.next = now;
   });
   return expired;
 }

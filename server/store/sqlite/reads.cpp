@@ -1,5 +1,6 @@
 /// SqliteStore: the calls that only read.
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "server/store/codec.hpp"
@@ -84,6 +85,22 @@ std::map<api::JobState, std::size_t> SqliteStore::counts() {
   while (rows.step())
     if (const auto state = api::job_state(rows.text(0))) counts[*state] = static_cast<std::size_t>(rows.integer(1));
   return counts;
+}
+
+StoreStatus SqliteStore::status() {
+  StoreStatus status;
+  const auto size = [](const std::string& path) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    return error ? 0.0 : static_cast<double>(bytes);
+  };
+  status.bytes = size(options_.path);
+  status.log_bytes = size(options_.path + "-wal");
+  status.free_bytes = static_cast<double>(reserve_.free_space());
+  Reader reader(*this);
+  Query oldest = reader.query("SELECT created_at FROM jobs WHERE state = 'queued' ORDER BY id LIMIT 1");
+  if (oldest.step()) status.oldest_queued = oldest.integer(0);
+  return status;
 }
 
 void SqliteStore::ping() {

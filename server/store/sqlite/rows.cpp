@@ -31,10 +31,6 @@ api::Job job_from_row(const Query& row) {
   return job;
 }
 
-void drop_chunks(SqliteConnection& connection, const std::string& id) {
-  (connection.query("DELETE FROM chunks WHERE seq = (SELECT seq FROM jobs WHERE id = ?)") << id).run();
-}
-
 std::string unpack_document(const std::string& kind, std::string_view packed, bool whole) {
   std::string text = unpack_text(packed);
   if (!whole) text = "{\"kind\":\"" + kind + "\",\"spec\":" + text + "}";

@@ -16,9 +16,6 @@ inline constexpr int job_seq_column = 18;
 
 api::Job job_from_row(const Query& row);  ///< returns the job without its document
 
-/// Removes the rows of a series that an attempt stored before it ended without a result.
-void drop_chunks(SqliteConnection& connection, const std::string& id);
-
 /// Returns a row of `specs` as a job document; with `whole` false the row is of version 0.1 and contains the spec
 /// alone.
 std::string unpack_document(const std::string& kind, std::string_view packed, bool whole);

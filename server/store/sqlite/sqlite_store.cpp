@@ -5,6 +5,7 @@
 #include "server/runtime/clock.hpp"
 #include "server/store/codec.hpp"
 #include "server/store/problems.hpp"
+#include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/migrate.hpp"
 #include "server/store/sqlite/reader.hpp"
 
@@ -13,6 +14,7 @@ namespace bahnwerk::server {
 SqliteStore::SqliteStore(SqliteOptions options)
     : options_(std::move(options)),
       lock_(options_.path + ".lock"),
+      file_lock_(options_.path, FileLock::Holder::unnamed),
       connection_(options_.path, true, options_.max_pages),
       reserve_(options_.path + ".reserve", options_.reserve),
       writer_(connection_, reserve_,
@@ -112,23 +114,43 @@ std::optional<api::Job> SqliteStore::cancel(const std::string& id, std::int64_t 
 
 Removed SqliteStore::remove(const std::string& id) {
   Removed outcome = Removed::unknown;
+  std::int64_t seq = 0;
   writer_.run([&](SqliteConnection& connection) {
     outcome = Removed::unknown;
-    Query state = connection.query("SELECT state FROM jobs WHERE id = ?");
-    state << id;
-    if (!state.step()) return;
-    outcome = state.text(0) == "running" ? Removed::running : Removed::yes;
+    {
+      Query job = connection.query("SELECT state, seq FROM jobs WHERE id = ?");
+      job << id;
+      if (!job.step()) return;
+      outcome = job.text(0) == "running" ? Removed::running : Removed::yes;
+      seq = job.integer(1);
+    }
     if (outcome != Removed::yes) return;
     const std::int64_t change = changes_.next();
-    (connection.query("DELETE FROM jobs WHERE id = ?") << id).run();
+    leave_chunks(connection, id);
+    for (const char* sql : {"DELETE FROM idempotency_keys WHERE seq = ?", "DELETE FROM results WHERE seq = ?",
+                            "DELETE FROM specs WHERE seq = ?", "DELETE FROM jobs WHERE seq = ?"})
+      (connection.query(sql) << seq).run();
     keep_removal(connection, change, id);
     changes_.note(change, id, std::nullopt);
   });
+  try {
+    while (outcome == Removed::yes && free_piece(seq)) {
+    }
+  } catch (const StoreError&) {  // the job is gone; expire() frees the rest
+  }
   return outcome;
 }
 
+bool SqliteStore::free_piece(std::int64_t seq) {
+  return write_flag([&](SqliteConnection& connection) { return free_leftovers(connection, seq); }, Writer::frees);
+}
+
 void SqliteStore::checkpoint() {
-  writer_.outside([](SqliteConnection& connection) { connection.execute("PRAGMA wal_checkpoint(TRUNCATE)"); });
+  connection_.patience(std::chrono::seconds(1));  // for what waits before it, too: the process ends
+  writer_.outside([](SqliteConnection& connection) {
+    connection.patience(std::chrono::seconds(1));
+    connection.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  });
 }
 
 }  // namespace bahnwerk::server

@@ -44,6 +44,7 @@ class SqliteStore final : public Store {
   std::optional<api::Job> get(const std::string& id, bool with_document) override;
   std::vector<api::Job> list(const JobFilter& filter) override;
   std::map<api::JobState, std::size_t> counts() override;
+  StoreStatus status() override;
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
   std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
@@ -69,11 +70,14 @@ class SqliteStore final : public Store {
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; returns their jobs.
   std::vector<std::string> lose(SqliteConnection& connection, std::int64_t until, std::int64_t now, std::size_t most);
+  /// Frees a piece of a series that was left over; returns whether there are more.
+  bool free_piece(std::int64_t seq);
   /// Runs `work` on the writer and returns its result.
   bool write_flag(const std::function<bool(SqliteConnection&)>& work, Writer::Bytes adds);
 
   SqliteOptions options_;
-  FileLock lock_;
+  FileLock lock_;                ///< of a file beside the database, which names the owner
+  FileLock file_lock_;           ///< of the database itself, whatever name it was opened by
   SqliteConnection connection_;  ///< connection of the writer's thread
   Reserve reserve_;              ///< reserve of the writer's thread
   Uuid7 ids_;                    ///< ids of the writer's thread

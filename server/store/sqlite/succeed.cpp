@@ -71,7 +71,7 @@ std::string column_list(const SetpointSource& source) {
 bool SqliteStore::succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
                           std::uint64_t revision, Progress& progress) {
   const SetpointSource* source = planned.setpoints.get();
-  const std::string document = pack_text(planned.result.dump());
+  const std::string document = pack_text(api::result_text(planned, progress));
   const auto columns = source ? std::optional(column_list(*source)) : std::nullopt;
   const auto still_running = [&](SqliteConnection& connection) -> std::optional<std::int64_t> {
     Query job = connection.query("SELECT seq FROM jobs WHERE id = ? AND state = 'running' AND attempt = ?");

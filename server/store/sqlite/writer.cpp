@@ -15,21 +15,27 @@ constexpr std::size_t comfortable =
     1 << 20;  // bytes free, of disk and file, from which on a full disk no longer is one
 constexpr auto look_interval = std::chrono::seconds(1);
 
-bool says_full(const std::exception_ptr& error) {
+/// How long a transaction waits for another program's lock, and the next ones after it waited in vain.
+constexpr std::chrono::milliseconds busy_patience{60'000}, short_patience{1'000};
+
+bool says(const std::exception_ptr& error, bool StoreError::*what) {
   if (!error) return false;
   try {
     std::rethrow_exception(error);
   } catch (const StoreError& failure) {
-    return failure.full;
+    return failure.*what;
   } catch (...) {
     return false;
   }
 }
+bool says_full(const std::exception_ptr& error) { return says(error, &StoreError::full); }
+bool says_busy(const std::exception_ptr& error) { return says(error, &StoreError::busy); }
 
 }  // namespace
 
 Writer::Writer(SqliteConnection& connection, Reserve& reserve, Hooks hooks)
     : connection_(connection), reserve_(reserve), hooks_(std::move(hooks)) {
+  connection_.patience(busy_patience);
   full_ = reserve_.bytes() > 0;  // the disk counts as full until it was looked at
   thread_ = std::thread([this] { loop(); });
 }
@@ -120,8 +126,10 @@ std::exception_ptr Writer::try_group(std::deque<Item>& group) {
     const auto error = std::current_exception();
     connection_.rollback();
     allocated_ = 0;  // a checkpoint cuts off what was allocated for it
+    if (says_busy(error)) connection_.patience(short_patience);
     return error;
   }
+  connection_.patience(busy_patience);
   ++commits_;
   hooks_.committed(seconds_since(start), group.size());
   return nullptr;
@@ -144,8 +152,9 @@ void Writer::commit(std::deque<Item>& group) {
   if (group.size() > 1) {
     Bytes adds = 0;
     for (const Item& item : group) adds += item.adds;
-    const bool together = room_for(adds) == Room::enough && !try_group(group);
-    if (!together) {  // one bad work must not fail its neighbours
+    const bool room = room_for(adds) == Room::enough;
+    if (room) error = try_group(group);
+    if (!room || (error && !says_busy(error))) {  // one bad work must not fail its neighbours
       for (Item& item : group) {
         std::deque<Item> one;
         one.push_back(std::move(item));
@@ -209,10 +218,12 @@ std::size_t Writer::free_pages() noexcept {
 }
 
 void Writer::checkpoint() noexcept {
+  const auto before = connection_.patience(short_patience);
   try {
     connection_.execute("PRAGMA wal_checkpoint(TRUNCATE)");
-  } catch (...) {  // a disk too full even for that: the log keeps what it has
+  } catch (...) {  // a disk too full even for that, or another reader: the log keeps what it has
   }
+  connection_.patience(before);
 }
 
 void Writer::look_for_space() {

@@ -1,6 +1,7 @@
 #pragma once
 /// Group commit: one thread owns the writing connection; all works that wait when it is free share one transaction.
-/// Works never commit: what cannot run inside a transaction uses `outside`.
+/// A database that another program has locked is waited for a minute; then all works that wait fail. Works never
+/// commit: what cannot run inside a transaction uses `outside`.
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>

@@ -51,5 +51,12 @@ TEST(IsJson, TakesParameters) {
   EXPECT_FALSE(is_json(""));
 }
 
+TEST(AcceptsGzip, FollowsNamesAndWeights) {
+  for (const char* yes : {"gzip", "GZIP", "x-gzip", "br, gzip;q=0.5", "deflate;q=1, *;q=0.1", "gzip; q=1.0", "*"})
+    EXPECT_TRUE(accepts_gzip(yes)) << yes;
+  for (const char* no : {"", "identity", "br", "gzip;q=0", "gzip;q=0.000, *", "*;q=0", "gzipped"})
+    EXPECT_FALSE(accepts_gzip(no)) << no;
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

@@ -95,5 +95,28 @@ TEST_F(ConnectionTableTest, NamesOneForWantOfDescriptors) {
   EXPECT_FALSE(table.longest_waiting(now));
 }
 
+TEST_F(ConnectionTableTest, TheOldestListenerEndsWhenMoreThanThreeQuartersListen) {
+  ConnectionTable table({.most = 8, .max_per_address = 0, .spare = 1});
+  std::vector<ConnectionTable::Id> ids;
+  for (int i = 0; i < 8; ++i) ids.push_back(regular(table));
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_FALSE(table.enter(ids[i], Phase::listening, now += 1ms));
+  EXPECT_EQ(table.enter(ids[6], Phase::listening, now += 1ms), ids[0]);
+  EXPECT_EQ(table.enter(ids[7], Phase::listening, now += 1ms), ids[1]) << "the first one is not named twice";
+  EXPECT_FALSE(table.enter(ids[0], Phase::busy, now += 1ms));
+  EXPECT_FALSE(table.enter(ids[2], Phase::waiting, now += 1ms));
+  EXPECT_FALSE(table.enter(ids[2], Phase::listening, now += 1ms)) << "there is room again";
+  EXPECT_EQ(admit(table).place, Place::spare) << "listeners are not closed in favour of new connections";
+}
+
+TEST_F(ConnectionTableTest, AnAddressHasListenersOnThreeQuartersOfItsOwn) {
+  ConnectionTable table({.most = 100, .max_per_address = 4, .spare = 1});
+  const auto other = regular(table, "b");
+  EXPECT_FALSE(table.enter(other, Phase::listening, now += 1ms));
+  std::vector<ConnectionTable::Id> ids;
+  for (int i = 0; i < 4; ++i) ids.push_back(regular(table));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_FALSE(table.enter(ids[i], Phase::listening, now += 1ms));
+  EXPECT_EQ(table.enter(ids[3], Phase::listening, now += 1ms), ids[0]) << "not that of b, which is older";
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

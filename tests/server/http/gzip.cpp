@@ -69,5 +69,22 @@ TEST(Gunzip, RefusesWhatIsDamaged) {
   }
 }
 
+TEST(Gzip, GivesBackWhatItWasGivenInPieces) {
+  std::mt19937 random(4);
+  for (const std::size_t size : {0U, 1U, 100'000U, 3'000'000U}) {
+    std::string text, packed;
+    while (text.size() < size) text += static_cast<char>('a' + random() % 8);
+    Gzip gzip;
+    for (std::size_t at = 0; at < size;) {
+      const std::size_t piece = std::min<std::size_t>(random() % 100'000, size - at);
+      gzip.add(std::string_view(text).substr(at, piece), packed);
+      at += piece;
+    }
+    gzip.finish(packed);
+    EXPECT_EQ(gunzip(packed, size), text);
+    EXPECT_LT(packed.size(), size / 2 + 100);
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

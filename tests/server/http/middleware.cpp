@@ -77,6 +77,27 @@ TEST(Middleware, TheLogHasOneLinePerRequest) {
   EXPECT_EQ(line["path"].get<std::string>().size(), 500u) << "a long path is cut";
 }
 
+TEST(Middleware, TheLogNamesTheJobThatARequestIsAboutOrHasMade) {
+  const auto line = [](const RequestPtr& request, const Handler& handler) {
+    testing::internal::CaptureStderr();
+    run(access_log(), request, handler);
+    return nlohmann::json::parse(testing::internal::GetCapturedStderr());
+  };
+  const auto post = std::make_shared<Request>();
+  post->headers = {{"traceparent", "00-ab-cd-01"}};
+  const auto posted = line(post, [](const RequestPtr&, const Reply& reply) {
+    Response response = text_answer(202, "text/plain", "");
+    response.set("Location", "/v1/jobs/abc");
+    reply(response);
+  });
+  EXPECT_EQ(posted["job"], "abc");
+  EXPECT_EQ(posted["traceparent"], "00-ab-cd-01");
+  const auto get = std::make_shared<Request>();
+  get->parameters = {{"id", "def"}};
+  EXPECT_EQ(line(get, ok)["job"], "def");
+  EXPECT_FALSE(line(std::make_shared<Request>(), ok).contains("job"));
+}
+
 TEST(Middleware, WorkOnThePoolIsAnsweredEvenIfItThrows) {
   Pool pool(1);
   std::vector<int> status;

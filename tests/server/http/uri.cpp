@@ -21,10 +21,29 @@ TEST(ParseTarget, KnowsTheRootAndTrailingSlashes) {
   EXPECT_EQ(parse_target("//v1")->segments.size(), 2U);
 }
 
-TEST(ParseTarget, TakesTheAbsoluteForm) { EXPECT_EQ(parse_target("http://host:80/healthz?a=b")->path, "/healthz"); }
+TEST(ParseTarget, TakesTheAbsoluteForm) {
+  EXPECT_EQ(parse_target("http://host:80/healthz?a=b")->path, "/healthz");
+  EXPECT_EQ(parse_target("http://host:80/healthz?a=b")->authority, "host:80");
+  EXPECT_EQ(parse_target("HTTPS://[::1]?a=b")->query, (Pairs{{"a", "b"}}));
+  EXPECT_TRUE(parse_target("http://host")->segments.empty());
+  EXPECT_EQ(parse_target("/healthz")->authority, "");
+}
+
+TEST(ParseTarget, TakesTheWholeServer) { EXPECT_EQ(parse_target("*")->path, "*"); }
+
+TEST(HostOf, IsTheNameWithoutItsPort) {
+  EXPECT_EQ(host_of("LocalHost:8080"), "localhost");
+  EXPECT_EQ(host_of("127.0.0.1"), "127.0.0.1");
+  EXPECT_EQ(host_of("[::1]:80"), "::1");
+  EXPECT_EQ(host_of("10.0.0.1.example:"), "10.0.0.1.example");
+  for (const char* authority :
+       {"", ":80", "a b@c/..", "user@host", "host:x", "host:99999", "host/path", "a b", "[::1", "[::1]x", "[1]", "::1"})
+    EXPECT_FALSE(host_of(authority)) << authority;
+}
 
 TEST(ParseTarget, RefusesWhatIsMalformed) {
-  for (const char* target : {"", "*", "nothing", "/%zz", "/%4", "/a b", "http://host", "/?%G0"})
+  for (const char* target :
+       {"", "**", "nothing", "/%zz", "/%4", "/a b", "http://", "http:///x", "http://a b/", "http://u@host/", "/?%G0"})
     EXPECT_FALSE(parse_target(target)) << target;
 }
 

@@ -15,12 +15,23 @@ TEST(Metrics, CountWhatTheyAreTold) {
   metrics.planned("contour", "succeeded", 2);
   metrics.commit(0.003, 7);
   metrics.jobs("queued", 5);
+  metrics.request("/v1/jobs/{id}", "GET", 200, 30, true);
+  metrics.refused("too-many-jobs");
+  metrics.build("1.2.3", "abc");
+  metrics.observe({.workers = 3, .busy_workers = 2, .oldest_queued_seconds = 7, .store_log_bytes = 4096});
   const std::string text = metrics.text();
   EXPECT_THAT(text,
-              HasSubstr("bahnwerk_http_requests_total{method=\"GET\",route=\"/v1/jobs/{id}\",status=\"200\"} 2\n"));
+              HasSubstr("bahnwerk_http_requests_total{method=\"GET\",route=\"/v1/jobs/{id}\",status=\"200\"} 3\n"));
   EXPECT_THAT(text,
               HasSubstr("bahnwerk_http_requests_total{method=\"GET\",route=\"/v1/jobs/{id}\",status=\"404\"} 1\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_http_request_seconds_count{method=\"GET\",route=\"/v1/jobs/{id}\"} 3\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_http_wait_seconds_count{method=\"GET\",route=\"/v1/jobs/{id}\"} 1\n"))
+      << "what was told to wait is counted apart";
+  EXPECT_THAT(text, HasSubstr("bahnwerk_refusals_total{reason=\"too-many-jobs\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_build_info{commit=\"abc\",version=\"1.2.3\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_workers_busy 2\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_queue_oldest_seconds 7\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_log_bytes 4096\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_planning_seconds_sum{kind=\"contour\",state=\"succeeded\"} 2\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_store_commit_seconds_count 1\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_store_writes_total 7\n"));

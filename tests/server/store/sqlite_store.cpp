@@ -34,7 +34,7 @@ TEST_F(StoreTest, ReadsDocumentsOfTheFirstVersion) {
   EXPECT_EQ(claim(*store, 1)->request.document, R"({"kind":"ramp","spec":{"n":2}})");
 }
 
-TEST_F(StoreTest, PutsOrphansBackUntilTheirAttemptsAreUsedUp) {
+TEST_F(StoreTest, PutsOrphansBackUntilTheyWereLostThreeTimes) {
   const std::string id = insert_id(*store);
   claim(*store, 1);
   const auto before = store->get(id)->revision;
@@ -45,6 +45,8 @@ TEST_F(StoreTest, PutsOrphansBackUntilTheirAttemptsAreUsedUp) {
   EXPECT_FALSE(job->started_at);
   EXPECT_GT(job->revision, before + 1000);
   EXPECT_EQ(claim(*store, 2)->attempt, 2);
+  open();
+  EXPECT_EQ(claim(*store, 3)->attempt, 3);
   open();
   job = store->get(id);
   EXPECT_EQ(job->state, JobState::failed);
@@ -193,16 +195,18 @@ TEST_F(StoreTest, TakesOverAFileOfTheVersionBefore) {
     EXPECT_EQ(stored, expected);
     EXPECT_EQ(store->get("02-orphan")->state, JobState::queued);
     EXPECT_EQ(store->get("02-orphan")->attempt, 1);
-    EXPECT_EQ(store->get("03-lost")->state, JobState::failed);
-    EXPECT_EQ(nlohmann::json::parse(store->get("03-lost")->error.value())["type"], "/problems/worker-lost");
+    EXPECT_EQ(store->get("03-lost")->state, JobState::queued) << "it did not run alone";
+    EXPECT_EQ(store->get("03-lost")->attempt, 2);
     EXPECT_EQ(store->get("04-unwanted")->state, JobState::cancelled);
-    EXPECT_EQ(store->counts()[JobState::queued], 2U);
+    EXPECT_EQ(store->counts()[JobState::queued], 3U);
     std::vector<std::string> changed;
     for (const Changed& change : store->changes_since(0, 100).list) changed.push_back(change.id);
     EXPECT_EQ(changed, (std::vector<std::string>{"02-orphan", "03-lost", "04-unwanted"}));
   }
   EXPECT_EQ(insert(*store, new_job(0, "k", "hash")).id, "05-queued");
   EXPECT_EQ(claim(*store, 9)->id, "02-orphan");
+  EXPECT_FALSE(claim(*store, 9)) << "it runs alone";
+  EXPECT_TRUE(store->end("02-orphan", 2, {JobState::failed, "{}", 9, 0}));
   EXPECT_EQ(claim(*store, 9)->request.document, R"({"n":3})");
   EXPECT_EQ(store->remove("01-done"), Removed::yes);
   EXPECT_EQ(store->changes_since(0, 100).list.back().id, "01-done");

@@ -1,4 +1,5 @@
 /// Random operations on the store against a model of a few lines, with restarts in between.
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -11,8 +12,8 @@ using api::JobState;
 
 struct ModelJob {
   JobState state = JobState::queued;
-  int priority = 0, attempt = 0, order = 0;
-  bool cancel = false;
+  int priority = 0, attempt = 0, order = 0, losses = 0;
+  bool cancel = false, suspect = false;
   std::size_t rows = 0;
   std::uint64_t revision = 0;
 };
@@ -26,13 +27,19 @@ std::string next_of(const Model& model) {
         (job.priority == model.at(best).priority && job.order < model.at(best).order))
       best = id;
   }
+  for (const auto& [id, job] : model)  // a suspect runs alone
+    if (!best.empty() && job.state == JobState::running && (job.suspect || model.at(best).suspect)) return "";
   return best;
 }
 
 void restart(Model& model) {
+  const auto runs = [](const auto& each) { return each.second.state == JobState::running; };
+  const bool alone = std::count_if(model.begin(), model.end(), runs) == 1;
   for (auto& [id, job] : model) {
     if (job.state != JobState::running) continue;
-    job.state = job.cancel ? JobState::cancelled : job.attempt >= 2 ? JobState::failed : JobState::queued;
+    job.losses += alone ? 1 : 0;
+    job.suspect = true;
+    job.state = job.cancel ? JobState::cancelled : job.losses >= 3 ? JobState::failed : JobState::queued;
   }
 }
 

@@ -130,12 +130,28 @@ TEST_F(StoreTest, ForgetsWhatAnAttemptStoredThatDidNotSucceed) {
       open();  // the process died, and begins again
       EXPECT_EQ(claim(*store, 4)->attempt, 2);
     }
+    while (store->expire(4).next == 4) {  // frees a piece at a time
+    }
     EXPECT_EQ(chunks(folder.path / "store.db"), 0U);
     if (end == 1) claim(*store, 4);
     if (end > 0) {
       EXPECT_TRUE(store->end(id, end, {api::JobState::failed, "{}", 5, 0}));
     }
   }
+}
+
+TEST_F(StoreTest, FreesALongSeriesInPiecesWhenItsJobIsRemoved) {
+  std::atomic<std::size_t> commits{0};
+  SqliteOptions options;
+  options.observer = [&](double, std::size_t) { ++commits; };
+  open(options);
+  const std::string id = insert_id(*store);
+  claim(*store, 1);
+  EXPECT_TRUE(store->succeed(id, 1, long_plan(), 2, 0, silent));
+  const std::size_t before = commits;
+  EXPECT_EQ(store->remove(id), Removed::yes);
+  EXPECT_GE(commits - before, 4U) << "others write in between";
+  EXPECT_EQ(chunks(folder.path / "store.db"), 0U);
 }
 
 TEST_F(StoreTest, GoesOnWhereAFullDiskStoppedIt) {

@@ -49,10 +49,10 @@ TYPED_TEST(Leases, AreExtendedByAHeartbeat) {
   EXPECT_TRUE(store->end(kept, 1, {JobState::failed, "{}", 2600, 0})) << "its attempt is still the one";
 }
 
-TYPED_TEST(Leases, AreLostTwiceAtMost) {
+TYPED_TEST(Leases, OfAJobThatRanAloneAreLostThreeTimesAtMost) {
   auto& store = this->here;
   const std::string id = insert_id(*store);
-  for (int attempt = 1; attempt <= 2; ++attempt) {
+  for (int attempt = 1; attempt <= 3; ++attempt) {
     EXPECT_EQ(claim(*store, 1000 * attempt, "a", 500)->attempt, attempt);
     const Expired early = store->expire(1000 * attempt + 499);
     EXPECT_TRUE(early.lost.empty());
@@ -62,13 +62,48 @@ TYPED_TEST(Leases, AreLostTwiceAtMost) {
     EXPECT_TRUE(expired.ids.empty());
     EXPECT_FALSE(expired.next);
     const auto job = store->get(id);
-    EXPECT_EQ(job->state, attempt == 1 ? JobState::queued : JobState::failed);
+    EXPECT_EQ(job->state, attempt < 3 ? JobState::queued : JobState::failed);
     EXPECT_EQ(job->attempt, attempt);
     EXPECT_EQ(job->fraction, 0);
   }
   EXPECT_EQ(nlohmann::json::parse(*store->get(id)->error)["type"], "/problems/worker-lost");
-  EXPECT_EQ(store->get(id)->finished_at, 2500);
+  EXPECT_EQ(store->get(id)->finished_at, 3500);
   EXPECT_FALSE(claim(*store, 9000));
+}
+
+TYPED_TEST(Leases, LostByJobsThatRanTogetherAreCountedAgainstNone) {
+  auto& store = this->here;
+  this->queue(2);
+  claim(*store, 1000, "a", 500);
+  claim(*store, 1000, "a", 500);
+  EXPECT_EQ(store->expire(1500).lost.size(), 2U);
+  // From here on each runs alone, and its losses count.
+  for (int loss = 0; loss < 2; ++loss) {
+    const auto alone = claim(*store, 2000, "a", 500);
+    ASSERT_TRUE(alone);
+    EXPECT_FALSE(claim(*store, 2000, "a", 500)) << "the other suspect waits";
+    EXPECT_EQ(store->expire(2500).lost, std::vector{alone->id});
+    EXPECT_EQ(store->get(alone->id)->state, JobState::queued);
+  }
+  const auto third = claim(*store, 2000, "a", 500);
+  EXPECT_EQ(store->expire(2500).lost, std::vector{third->id});
+  EXPECT_EQ(store->get(third->id)->state, JobState::failed) << "the third loss alone";
+}
+
+TYPED_TEST(Leases, OfSuspectsAreNotSharedWithInnocents) {
+  auto& store = this->here;
+  const std::string suspect = insert_id(*store);
+  claim(*store, 1000, "a", 500);
+  store->expire(1500);
+  const std::string early = insert_id(*store, new_job(1));
+  EXPECT_EQ(claim(*store, 2000, "a", 500)->id, early);
+  insert_id(*store);
+  EXPECT_FALSE(claim(*store, 2000, "a", 500)) << "the suspect is next, and something runs";
+  EXPECT_TRUE(store->end(early, 1, {JobState::failed, "{}", 2100, 0}));
+  EXPECT_EQ(claim(*store, 2100, "a", 500)->id, suspect);
+  EXPECT_FALSE(claim(*store, 2100, "a", 500)) << "nothing begins beside it";
+  EXPECT_TRUE(store->succeed(suspect, 2, ramp_plan(10), 2200, 0, this->silent));
+  EXPECT_TRUE(claim(*store, 2200, "a", 500));
 }
 
 TYPED_TEST(Leases, DoNotForgetACancellation) {
