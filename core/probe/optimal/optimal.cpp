@@ -273,7 +273,7 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMot
     return motion.duration() > most;
   };
   double speed = problem.speed / 2;
-  while (step < halvings && !too_slow(speed)) speed /= 2;
+  while (least > 0 && step < halvings && !too_slow(speed)) speed /= 2;
   bisect(speed, 2 * speed, 0, steps, too_slow);
   return best;
 }
