@@ -12,6 +12,7 @@
 #include "core/probe/reachable_speed.hpp"
 #include "core/probe/rest_sections.hpp"
 #include "core/probe/straight/rows.hpp"
+#include "core/probe/straight/stops.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -137,7 +138,7 @@ class ArcSearch {
 ProbeMotion search_arcs(const ProbeProblem& given, ProgressScope& scope) {
   const ProbeProblem problem = with_reachable_speed(given);
   const std::vector<std::size_t> row_end = straight_rows(problem);
-  std::vector<ProbeMotion> plans{TurnPath(problem, all_rests(problem, row_end)).write(scope)};
+  std::vector<ProbeMotion> plans{write_stops(problem, row_end, scope)};
   if (row_end[0] + 1 == problem.points.size()) return plans.front();
   plans.push_back(ArcSearch(problem, row_end).search(scope).write(scope));
   scope.half_of_rest();

@@ -5,13 +5,13 @@
 /// directions of the straights are the fixed point d_i ∥ C_(i+1) − C_i, in any dimension; the head rests at a point
 /// where the turn's speed is 0. Between turns the speed follows the 15-phase profile. Which speeds are best depends on
 /// the speeds next to them: largest speeds may lose to stopping, and dense points may leave no room for turns. Dynamic
-/// programming over a few speeds per point, 0 among them, chooses them for given directions; then directions are solved
-/// for these speeds, and both steps repeat with closer speeds. Points in a row (straight_rows()) between rests are
-/// passed as one straight. Speeds that the exact geometry does not admit are lowered until it does, down to 0 if need
-/// be.
+/// programming over a geometric series of speeds per point, 0 among them, chooses them for given directions; then
+/// directions are solved for these speeds, and both steps repeat with closer speeds. Speeds that the exact geometry
+/// does not admit are lowered until it does, down to 0 if need be. Nothing in it depends on the direction in which the
+/// points are passed but rounding.
 ///
-/// Motions for some twenty tighter problems (core/probe/tighter.hpp) are candidates, too, for up to 100 points. The
-/// motion is never slower than plan_stops(). Cost: O(points), about 0.1 ms each and problem.
+/// The motion is the quickest one from rest to rest (core/probe/rest_sections.hpp) of those through all points, through
+/// thinned ones (core/probe/straight/rows.hpp), and with rests at the ends of rows. Cost: O(points), about 1 ms each.
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 

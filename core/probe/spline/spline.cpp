@@ -212,7 +212,7 @@ class SplineSearch {
 ProbeMotion search_splines(const ProbeProblem& given, ProgressScope& scope) {
   const ProbeProblem problem = with_reachable_speed(given);
   const std::vector<std::size_t> row_end = straight_rows(problem);
-  std::vector<ProbeMotion> plans{plan_stops(problem, scope)};
+  std::vector<ProbeMotion> plans{write_stops(problem, row_end, scope)};
   if (row_end[0] + 1 == problem.points.size()) return plans.front();
   plans.push_back(SplineSearch(problem, row_end, scope).search());
   const ThinnedProblem thin = thinned(problem);

@@ -13,8 +13,9 @@
 /// a straight row the profile itself is taken. Between two rests the motion is never slower than with rests at every
 /// point, nor than without rests between, where a spline without them was found.
 ///
-/// Plans for tighter problems (core/probe/tighter.hpp) are candidates, too: some 40 of them for up to 300 points, and
-/// some hundred more of a pattern search for up to 100 points.
+/// Up to 300 points the speed in the middle of the way is searched: some 20 plans. The motion is the quickest one from
+/// rest to rest (core/probe/rest_sections.hpp) of those through all points, through thinned ones
+/// (core/probe/straight/rows.hpp), and with rests at the ends of rows.
 ///
 /// Where there are more than 2000 points, the head rests wherever a piece leaves the tube in a part that six
 /// divisions in turn have left more than half of, and everywhere after ten.

@@ -9,12 +9,10 @@
 #include "core/probe/straight/straight.hpp"
 
 namespace bahnwerk {
-namespace {
 
 using namespace probe;
 
-ProbeMotion write_stops(const ProbeProblem& problem, ProgressScope& progress) {
-  const std::vector<std::size_t> row_end = straight_rows(problem);
+ProbeMotion write_stops(const ProbeProblem& problem, const std::vector<std::size_t>& row_end, ProgressScope& progress) {
   MotionWriter writer(problem);
   for (std::size_t i = 0; i + 1 < problem.points.size(); i = row_end[i]) {
     progress.work(64);
@@ -25,12 +23,11 @@ ProbeMotion write_stops(const ProbeProblem& problem, ProgressScope& progress) {
   return writer.finish();
 }
 
-}  // namespace
-
 ProbeMotion plan_stops(const ProbeProblem& problem, ProgressScope& progress) {
+  const std::vector<std::size_t> row_end = straight_rows(problem);
   return with_lasting_phases(
-      problem, write_stops(problem, progress), [&](const ProbeProblem& eased) { return write_stops(eased, progress); },
-      progress);
+      problem, write_stops(problem, row_end, progress),
+      [&](const ProbeProblem& eased) { return write_stops(eased, row_end, progress); }, progress);
 }
 
 ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress) {
