@@ -116,7 +116,8 @@ void append_lines(const Path& path, std::size_t first, std::size_t last, const s
   }
   std::vector<Vec> vertices{start_of(path[first])};
   for (i = first; i < last; ++i) vertices.push_back(end_of(path[i]));
-  const bool from_end = begins_at_end(path[first].s0(), path[last - 1].s1(), [&](double s) { return path.at(s).value; });
+  const bool from_end =
+      begins_at_end(path[first].s0(), path[last - 1].s1(), [&](double s) { return path.at(s).value; });
   if (from_end) std::reverse(vertices.begin(), vertices.end());
   std::vector<std::size_t> list = remaining(vertices, tiny);
   if (from_end) {

@@ -23,7 +23,7 @@ constexpr double full_share = 1 - 2e-5, sure = 1 - 1e-5;
 /// A law that has to be slowed by more than this is planned again from another start.
 constexpr double good_enough = 1.01;
 /// The last window of a section may be this many windows long; a section no longer than that is planned as a whole.
-constexpr double last_window = 1.5;
+constexpr double last_window = 3;
 }  // namespace jerk_section_detail
 
 /// N axes and M rows; M = N + 1 when the path itself is limited.

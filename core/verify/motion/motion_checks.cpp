@@ -136,11 +136,13 @@ class Checker {
     const Motion& motion = in_.motion;
     const double t = motion.begin(i), before = t - motion.begin(i - 1), after = motion.end(i) - t;
     const MotionState left = motion.in_piece(i - 1, t), right = motion.in_piece(i, t);
+    // A piece is evaluated from its begin: an axis that comes to rest has the rounding of the states it had there.
+    const MotionState begin = motion.in_piece(i - 1, motion.begin(i - 1));
     for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
       for (std::size_t k = 0; k < in_.axes.size(); ++k)
         gaps_[d].raise(std::abs(part(right, d)[k] - part(left, d)[k]),
-                       rounded(i - 1, left, d, k, before, t) + rounded(i, right, d, k, after, t) +
-                           (in_.step ? in_.step(k, d, t) : 0),
+                       std::max(rounded(i - 1, left, d, k, before, t), rounded(i - 1, begin, d, k, before, t)) +
+                           rounded(i, right, d, k, after, t) + (in_.step ? in_.step(k, d, t) : 0),
                        t);
   }
 

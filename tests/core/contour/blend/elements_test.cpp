@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/contour/builder.hpp"
@@ -38,6 +39,33 @@ TEST(BlendElements, MergesTinyLinesAndKeepsTheEnds) {
       EXPECT_EQ(elements[i].begin, elements[i - 1].end());
     }
   }
+}
+
+TEST(BlendElements, BothDirectionsKeepTheSameVertices) {
+  std::vector<Vec> points{{}};
+  for (int i = 0; i < 300; ++i) {
+    const double length = i % 7 == 0 ? 0.5 + 0.01 * i : 0.0007 * (1 + i * i % 23), heading = 0.02 * i;
+    points.push_back(points.back() + length * Vec{std::cos(heading), std::sin(heading), 0});
+  }
+  const auto vertices = [](const std::vector<Vec>& of) {
+    const Contour c = polyline(2, of, false, 1);
+    const std::vector<std::size_t> blocks(c.path.size(), 0);
+    std::vector<Vec> list;
+    for (const Element& e : element_runs(c.path, 0, c.path.size(), blocks, 0.01, 3.1, silent_scope())[0].elements)
+      list.push_back(e.at(0).value);
+    return list;
+  };
+  const std::vector<Vec> there = vertices(points);
+  std::reverse(points.begin(), points.end());
+  const std::vector<Vec> back = vertices(points);
+  ASSERT_EQ(there.size(), back.size());
+  EXPECT_LT(there.size(), 200u);
+  for (std::size_t i = 1; i < there.size(); ++i) EXPECT_LE(norm(there[i] - back[back.size() - i]), 1e-12) << i;
+}
+
+TEST(BlendElements, OneOfBothDirectionsBeginsAtTheEnd) {
+  const auto hook = [](double t) { return t < 10 ? Vec{t, 0, 0} : Vec{10, t - 10, 0}; };
+  EXPECT_NE(begins_at_end(0, 30, hook), begins_at_end(0, 30, [&](double t) { return hook(30 - t); }));
 }
 
 TEST(BlendElements, NoBlockIsMergedAway) {
