@@ -42,7 +42,7 @@ request GET /v1/jobs
 expect_json '.jobs | length == 5'
 
 # The log cannot be emptied beside a reader.
-jq -c '.spec.contour = {points: [range(4000) | [(. * 7919 % 9973) / 10, (. * 104729 % 9901) / 10]]}' "$examples/line.json" >"$work/points.json"
+jq -c '.spec.contour = {points: [range(20000) | [(. * 7919 % 9973) / 10, (. * 104729 % 9901) / 10]]}' "$examples/line.json" >"$work/points.json"
 hold "BEGIN; SELECT count(*) FROM jobs"
 log_size() { stat -c %s "$work/store.db-wal"; }
 for _ in $(seq 3000); do

@@ -15,6 +15,8 @@ submit=$!
 soon told || fail "the id is not told while the job waits"
 "$bahnwerk" watch "$id" --server "$url" --patience 600 >"$work/watched" &
 watch=$!
+both_wait() { [[ $(curl -fsS "$url/metrics" | sed -n 's/^bahnwerk_http_connections //p') == 3 ]]; } # and the one that asks
+soon both_wait || fail "watch does not wait"
 stop_server KILL || true
 restart --workers 1
 wait $submit || fail "submit --wait over a restart: $(cat "$work/err")"
