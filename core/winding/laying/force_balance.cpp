@@ -1,8 +1,10 @@
 #include "core/winding/laying/force_balance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/progress.hpp"
 
@@ -47,6 +49,37 @@ void ForceBalance::gather(const std::vector<Point>& forces, std::vector<double>&
     const Push& push = pushes_[i];
     const Point relative = push.other == wall ? forces[push.wire] : forces[push.wire] - forces[push.other];
     pushes[i] = dot(relative, push.direction);
+  }
+}
+
+/// Improves the start: what is unbalanced on a wire is passed on to the earlier wires and walls that it touches, the
+/// latest wire first, by the two pushes with the least sum that balance it. In a pile that grew by a wire which the
+/// others carry, nothing is then left. Pushes are expected in the order of their wires; others are left out.
+void ForceBalance::pass_on() {
+  std::size_t end = pushes_.size();
+  for (std::size_t wire = left_.size(); wire-- > 0;) {
+    std::size_t begin = end;
+    while (begin > 0 && pushes_[begin - 1].wire == wire) --begin;
+    const Point load = -left_[wire];
+    double least = std::numeric_limits<double>::infinity();
+    std::array<std::pair<std::size_t, double>, 2> chosen{};
+    if (norm(load) > tolerance / 8)
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t k = i + 1; k < end; ++k) {
+          const Point a = pushes_[i].direction, b = pushes_[k].direction;
+          const double span = cross(a, b);
+          if (std::abs(span) < 1e-3) continue;
+          const double along_a = cross(load, b) / span, along_b = cross(a, load) / span;
+          if (along_a < 0 || along_b < 0 || along_a + along_b >= least) continue;
+          least = along_a + along_b;
+          chosen = {std::pair{i, along_a}, {k, along_b}};
+        }
+    end = begin;
+    if (!std::isfinite(least)) continue;
+    for (const auto& [i, amount] : chosen) {
+      amount_[i] += amount;
+      if (pushes_[i].other != wall) left_[pushes_[i].other] -= amount * pushes_[i].direction;
+    }
   }
 }
 
@@ -102,6 +135,8 @@ ForceBalance::Result ForceBalance::solve(Progress& progress, double fraction) {
   step_.assign(n, 0);
   image_.resize(n);
   change_.resize(forces_.size());
+  balance();
+  pass_on();
   balance();
   // The step is at most 2/‖AᵀA‖: each push acts on two wires, each wire has at most `most` pushes.
   const double fixed =

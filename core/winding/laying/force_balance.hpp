@@ -51,6 +51,7 @@ class ForceBalance {
     Point direction;
   };
   enum class Step { first, joining, loaded };
+  void pass_on();
   void balance();
   Result measure() const;
   bool choose_step(double fixed, double residual, Step& step);  ///< false: no step reduces the residual
