@@ -1,4 +1,6 @@
 // What has to hold between problems: time is only a scale.
+#include <algorithm>
+
 #include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/optimal/optimal.hpp"
@@ -41,6 +43,16 @@ TEST(ProbeMonotone, TimeIsOnlyAScaleOfArcsAndSpline) {
       EXPECT_NEAR(arcs(scaled(set.problem, k)), k * a, 1e-12 * k * a) << set.words;
       EXPECT_NEAR(spline(scaled(set.problem, k)), k * b, 1e-12 * k * b) << set.words;
     }
+  }
+}
+
+TEST(ProbeMonotone, ArcsTakeTheSameTimeThroughReversedPoints) {
+  for (int i = 0; i < testing::cases(12); ++i) {
+    ProbeProblem p = RandomSet(static_cast<std::uint64_t>(2000 + i)).problem;
+    const double forwards = arcs(p);
+    std::reverse(p.given.begin(), p.given.end());
+    merge_points(p);
+    EXPECT_NEAR(arcs(p), forwards, 1e-9 * forwards) << i;
   }
 }
 
