@@ -121,7 +121,9 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
       throw InvalidInput(
           std::vector{InputFault{{"degree"}, "no law of this degree keeps all values, ranges and limits"}});
     }
-    bound_of(choice.spline, choice.degree, choice.pieces, true);
+    bound_of(choice.spline, choice.degree, choice.pieces, false);
+    if (choice.spline.objective > (1 + wanted_gap) * choice.bound)
+      bound_of(choice.spline, choice.degree, choice.pieces, true);
     choice.programs += search.programs;
     return choice;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -128,6 +129,19 @@ class Builder {
   std::vector<LawPiece> pieces_;
 };
 
+/// By how much two ways to form a derivative from rounded coefficients may differ.
+double rounding(const CamLaw& law, int order) {
+  double out = 0;
+  for (std::size_t i = 0; i < law.pieces(); ++i) {
+    const auto& b = law.piece(i).bernstein;
+    double now = std::numeric_limits<double>::epsilon() * std::max(std::abs(b.front()), std::abs(b.back()));
+    if (b.size() == 2 && order > 1) continue;
+    for (int k = 0; k < order; ++k) now *= 2 * static_cast<double>(3 - k) / law.piece_duration(i);
+    out = std::max(out, now);
+  }
+  return out;
+}
+
 bool keeps_sections(const MotionLawProblem& problem, const CamLaw& law) {
   for (std::size_t s = 0; s < problem.sections(); ++s)
     for (int r = 0; r < limited_orders; ++r) {
@@ -163,8 +177,10 @@ std::optional<RestToRest> rest_to_rest(const MotionLawProblem& problem) {
   for (int i = 0; i < 20; ++i) {  // rounding of positions may exceed a limit
     out.law = builder.at(out.duration);
     double exceeded = 0;
-    for (int r = 1; r < limited_orders; ++r)
-      exceeded = std::max(exceeded, std::pow(out.law.peak(r).value / (limit[r] * (1 + 5e-10)), 1.0 / r));
+    for (int r = 1; r < limited_orders; ++r) {
+      const double most = out.law.peak(r).value + rounding(out.law, r);
+      exceeded = std::max(exceeded, std::pow(most / (limit[r] * (1 + 8e-10)), 1.0 / r));
+    }
     if (exceeded <= 1) break;
     out.duration *= 1 + 1.2 * (exceeded - 1);
   }
