@@ -56,11 +56,15 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   heavy_ = std::make_unique<Pool>(1, options.worker_nice);
   // The owner of a file needs no clock to detect that a worker has ended: it would have ended itself.
   workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan),
-                                       store_->shared() ? std::optional(worker_lease) : std::nullopt, time_);
+                                       store_->shared() ? std::optional(worker_lease) : std::nullopt, time_,
+                                       [parse = engine.parse](const std::string& document, Progress& progress) {
+                                         parse(document, &progress);
+                                       });
+  workers_->limit_planning(options.max_planning);
   deadlines_ = std::make_unique<Deadlines>(*store_, time_);
   follow_changes();
   context_ = std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *checks_, *heavy_, metrics_,
-                                               std::move(engine.parse), options.max_queued, options.limits.max_body,
+                                               std::move(engine.parse), options.max_queued, options.max_planning, options.limits.max_body,
                                                draining_, options.build, time_, options.event_heartbeat});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);

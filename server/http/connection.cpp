@@ -163,13 +163,17 @@ asio::awaitable<error_code> Connection::read_body(Parser& parser, Request& reque
   for (std::size_t received = 0, fresh = buffer_.size();; fresh = buffer_.size() - fresh) {
     if (!share->add(fresh)) co_return no_room;
     received += fresh;
-    while (buffer_.size() > 0 && !parser.is_done()) {
-      error_code error;
-      const std::size_t used = parser.put(buffer_.data(), error);
-      buffer_.consume(used);
-      if (error == http::error::need_more) break;
-      if (error) co_return error;
-      if (used == 0) break;
+    try {
+      while (buffer_.size() > 0 && !parser.is_done()) {
+        error_code error;
+        const std::size_t used = parser.put(buffer_.data(), error);
+        buffer_.consume(used);
+        if (error == http::error::need_more) break;
+        if (error) co_return error;
+        if (used == 0) break;
+      }
+    } catch (const std::bad_alloc&) {  // the body's string cannot grow
+      co_return no_room;
     }
     if (parser.is_done()) co_return error_code();
     read_until(start + context_->limits.body_timeout + std::chrono::milliseconds(received / bytes_per_ms));
@@ -265,6 +269,11 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
 }
 
 asio::awaitable<Response> Connection::answer(RequestPtr request) {
+  request->when_client_left = [weak = weak_from_this()](std::function<void()> call) {
+    if (const auto self = weak.lock())
+      asio::post(self->stream_.get_executor(),
+                 [self, call = std::move(call)]() mutable { self->when_gone(std::move(call)); });
+  };
   const auto handover = std::make_shared<Handover<Response>>(stream_.get_executor());
   {
     const auto promise = std::make_shared<Promise>(handover);
@@ -304,20 +313,24 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
     std::string text;
     bool more = false, failed = false;
   };
-  const bool chunked = !incoming.http_1_0;  // HTTP/1.0 has no chunks: its end is the connection's end
+  const auto length = response.length;
+  // HTTP/1.0 has no chunks: without a length the end of the answer is the connection's end.
+  const bool chunked = !incoming.http_1_0 && !length;
   http::response<http::empty_body> message(static_cast<http::status>(response.status), incoming.http_1_0 ? 10 : 11);
   put_headers(message, response);
   const auto feed = std::move(response.feed);
-  message.keep_alive(incoming.keep_alive && chunked && !feed);
+  message.keep_alive(incoming.keep_alive && (chunked || length) && !feed);
   if (chunked) message.chunked(true);
+  if (length) message.content_length(*length);
   http::response_serializer<http::empty_body> serializer(message);
   stream_.expires_after(context_->limits.write_timeout);
   auto [error, size] = co_await http::async_write_header(stream_, serializer, tuple_awaitable);
   if (error) co_return false;
-  if (incoming.request->method == "HEAD") co_return chunked;
-  if (feed) stop_when_gone(feed);
+  if (incoming.request->method == "HEAD") co_return chunked || length;
+  if (feed) when_gone([feed] { feed->stop(); });
 
   const auto pull = std::make_shared<std::function<bool(std::string&)>>(std::move(response.stream));
+  std::size_t sent = 0;
   for (bool more = true; more;) {
     const auto handover = std::make_shared<Handover<Piece>>(stream_.get_executor());
     if (feed) {
@@ -341,6 +354,8 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
     if (piece.failed) co_return false;
     more = piece.more;
     if (piece.text.empty()) continue;  // an empty chunk would mean the end
+    sent += piece.text.size();
+    if (length && sent > *length) co_return false;
     expire(context_->limits.write_timeout, piece.text.size());
     if (chunked) {
       auto [failed, written] =
@@ -351,18 +366,18 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
       if (failed) co_return false;
     }
   }
-  if (!chunked) co_return false;
+  if (!chunked) co_return length&& sent == *length;
   const bool ended = co_await write_raw("0\r\n\r\n");
   co_return ended && !feed;  // a feed's connection may have lasted for hours: it ends here
 }
 
-void Connection::stop_when_gone(std::shared_ptr<Feed> feed) {
+void Connection::when_gone(std::function<void()> call) {
   stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
-                              [self = shared_from_this(), feed = std::move(feed)](error_code error) {
+                              [self = shared_from_this(), call = std::move(call)](error_code error) {
                                 error_code ignored;
                                 if (!error && self->stream_.socket().available(ignored) > 0)
                                   return;  // bytes have arrived: this is not the end
-                                feed->stop();
+                                call();
                               });
 }
 

@@ -8,6 +8,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -57,7 +58,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   boost::asio::awaitable<Response> answer(RequestPtr request);
   boost::asio::awaitable<bool> write(Response response, const Incoming& incoming);
   boost::asio::awaitable<bool> write_stream(Response response, const Incoming& incoming);
-  void stop_when_gone(std::shared_ptr<Feed> feed);  ///< tells the feed when the client closes its side
+  void when_gone(std::function<void()> call);  ///< calls when the client closes its side
   boost::asio::awaitable<bool> write_raw(std::string text);
   boost::asio::awaitable<void> linger();
   void expire(std::chrono::milliseconds base, std::size_t bytes);

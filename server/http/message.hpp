@@ -27,7 +27,10 @@ struct Request {
   Pairs headers;                      ///< names in lower case, in order
   std::string body;
   std::shared_ptr<void> body_share;  ///< part of the memory for bodies; returned with the last copy
-  std::string peer;                  ///< client's address
+  /// Calls its argument, from any thread, if the client closes its side before the answer; at most one call. Set by the
+  /// connection.
+  std::function<void(std::function<void()>)> when_client_left;
+  std::string peer;  ///< client's address
 
   std::string id;              ///< request id, set by middleware
   std::string route;           ///< the matched pattern, set by the router; empty when none matched
@@ -57,8 +60,9 @@ struct Response {
   /// An alternative to `body`: it is called until it returns false and appends a piece each time. Written chunked. May
   /// block. If it throws, the connection is aborted, so that the client sees that the answer is incomplete.
   std::function<bool(std::string&)> stream;
-  std::shared_ptr<Feed> feed;  ///< instead of both; the connection ends with it
-  bool close = false;          ///< end the connection after this answer
+  std::optional<std::size_t> length;  ///< bytes of all pieces of `stream`, if known: written as Content-Length instead
+  std::shared_ptr<Feed> feed;         ///< instead of both; the connection ends with it
+  bool close = false;                 ///< end the connection after this answer
 
   Response& set(std::string name, std::string value);  ///< replaces a header of that name (exact spelling)
   std::optional<std::string> header(std::string_view name) const;

@@ -9,7 +9,7 @@ namespace bahnwerk::server {
 std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
   std::optional<api::Job> job;
   std::string packed;
-  bool whole = true;
+  std::int64_t form = document_checked;
   writer_.run(
       [&](SqliteConnection& connection) {
         job.reset();
@@ -33,13 +33,15 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
         spec << seq;
         if (!spec.step()) throw StoreError("store: a job without its spec", false);
         packed = spec.bytes(0);
-        whole = spec.integer(1) != 0;
+        form = spec.integer(1);
         (connection.query("DELETE FROM chunks WHERE seq = ?") << seq)
             .run();  // these are chunks of an attempt that was lost
         changes_.note(change, job->id, api::JobState::running);
       },
       Writer::row);
-  if (job) job->request.document = unpack_document(job->request.kind, packed, whole);
+  if (!job) return job;
+  job->request.document = unpack_document(job->request.kind, packed, form != spec_alone);
+  job->request.checked = form != document_unchecked;
   return job;
 }
 
