@@ -198,13 +198,17 @@ asio::awaitable<error_code> Connection::read_body(Parser& parser, Request& reque
     received += fresh;
     if (parser.chunked() && received > context_->limits.max_body)
       co_return http::error::body_limit;  // the framing counts, too
-    while (buffer_.size() > 0 && !parser.is_done()) {
-      error_code error;
-      const std::size_t used = parser.put(buffer_.data(), error);
-      buffer_.consume(used);
-      if (error == http::error::need_more) break;
-      if (error) co_return error;
-      if (used == 0) break;
+    try {
+      while (buffer_.size() > 0 && !parser.is_done()) {
+        error_code error;
+        const std::size_t used = parser.put(buffer_.data(), error);
+        buffer_.consume(used);
+        if (error == http::error::need_more) break;
+        if (error) co_return error;
+        if (used == 0) break;
+      }
+    } catch (const std::bad_alloc&) {  // the body's string cannot grow
+      co_return no_room;
     }
     if (parser.is_done()) co_return error_code();
     read_until(start + context_->limits.body_timeout + std::chrono::milliseconds(received / bytes_per_ms));
@@ -357,20 +361,24 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
     std::string text;
     bool more = false, failed = false;
   };
-  const bool chunked = !incoming.http_1_0;  // HTTP/1.0 has no chunks: its end is the connection's end
+  const auto length = response.length;
+  // HTTP/1.0 has no chunks: without a length the end of the answer is the connection's end.
+  const bool chunked = !incoming.http_1_0 && !length;
   http::response<http::empty_body> message(static_cast<http::status>(response.status), incoming.http_1_0 ? 10 : 11);
   put_headers(message, response);
   const auto feed = std::move(response.feed);
-  message.keep_alive(incoming.keep_alive && chunked && !feed);
+  message.keep_alive(incoming.keep_alive && (chunked || length) && !feed);
   if (chunked) message.chunked(true);
+  if (length) message.content_length(*length);
   http::response_serializer<http::empty_body> serializer(message);
   stream_.expires_after(context_->limits.write_timeout);
   auto [error, size] = co_await http::async_write_header(stream_, serializer, tuple_awaitable);
   if (error) co_return false;
-  if (incoming.request->method == "HEAD") co_return chunked;
+  if (incoming.request->method == "HEAD") co_return chunked || length;
   if (feed) listen([feed] { feed->stop(); });
 
   const auto pull = std::make_shared<std::function<bool(std::string&)>>(std::move(response.stream));
+  std::size_t sent = 0;
   for (bool more = true; more;) {
     const auto handover = std::make_shared<Handover<Piece>>(stream_.get_executor());
     if (feed) {
@@ -394,6 +402,8 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
     if (piece.failed) co_return false;
     more = piece.more;
     if (piece.text.empty()) continue;  // an empty chunk would mean the end
+    sent += piece.text.size();
+    if (length && sent > *length) co_return false;
     expire(context_->limits.write_timeout, piece.text.size());
     if (chunked) {
       auto [failed, written] =
@@ -404,7 +414,7 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
       if (failed) co_return false;
     }
   }
-  if (!chunked) co_return false;
+  if (!chunked) co_return length&& sent == *length;
   const bool ended = co_await write_raw("0\r\n\r\n");
   co_return ended && !feed;  // a feed's connection may have lasted for hours: it ends here
 }
