@@ -28,7 +28,7 @@ struct Context {
   Parser parse;
   std::size_t max_queued;
   std::chrono::milliseconds max_planning;  ///< limit of the time of a plan
-  std::size_t max_body;  ///< bytes of a body, also after decompression
+  std::size_t max_body;                    ///< bytes of a body, also after decompression
   const std::atomic<bool>& draining;
   const BuildInfo build;
   const TimeSource& time;
