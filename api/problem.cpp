@@ -207,7 +207,7 @@ Problem problem_from_current_exception(std::string_view prefix) {
       case StopReason::deadline:
         return {"deadline-exceeded", "The deadline passed while the job was planned."};
       case StopReason::budget:
-        return {"budget-exhausted", "The time for planning, of the job or of this server, ran out."};
+        return {"budget-exhausted", "The time budget ran out while the job was planned."};
     }
     return {"internal", "The planner was stopped."};
   } catch (const std::bad_alloc&) {

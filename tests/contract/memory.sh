@@ -5,10 +5,10 @@ source "$(dirname "$0")/lib.sh"
 "$bahnwerk" serve --max-memory 64MiB --store "sqlite:$work/none.db" 2>"$work/refused" && fail "64 MiB are too little"
 grep -q 'max-memory' "$work/refused" || fail "the refusal names the flag"
 
-start_server --workers 2 --max-memory 512MiB
+start_server --workers 2 --max-memory 256MiB
 # The limit is the system's: of the data of the process.
-expect_equal "$(awk '/^Max data size/ {print $5}' "/proc/$server_pid/limits")" $((512 << 20))
-logged '.event == "starting" and .max_memory == 536870912' || fail "the log does not tell the limit"
+expect_equal "$(awk '/^Max data size/ {print $5}' "/proc/$server_pid/limits")" $((256 << 20))
+logged '.event == "starting" and .max_memory == 268435456' || fail "the log does not tell the limit"
 resident() { awk '/^VmRSS/ {print int($2 / 1024)}' "/proc/$server_pid/status"; }
 
 # arcs N: a program of 2 N half circles, in 150 bytes.
@@ -18,9 +18,9 @@ arcs() {
     machine:{kinematics:"cartesian",cycle_time:0.01,axes:{x:{velocity:1800,acceleration:16000,jerk:500000},y:{velocity:1800,acceleration:16000,jerk:500000}}},
     planning:{method:"time_optimal"}}}'
 }
-arcs 900000 >"$work/bomb.json"
+arcs 300000 >"$work/bomb.json"
 bombs=()
-for _ in 1 2 3; do
+for _ in 1 2; do
   post "$work/bomb.json"
   # Its check may end in time, too, and then without memory.
   case $status in
@@ -31,7 +31,7 @@ for _ in 1 2 3; do
 done
 # Small jobs beside them are taken, and none of them pays for its neighbours.
 small=()
-for _ in $(seq 10); do
+for _ in $(seq 5); do
   post "$examples/line.json"
   expect_status 202
   small+=("$id")
