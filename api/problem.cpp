@@ -12,7 +12,7 @@
 namespace bahnwerk::api {
 namespace {
 
-constexpr std::array<ProblemType, 35> catalogue{{
+constexpr std::array<ProblemType, 36> catalogue{{
     // Problems of requests.
     {"invalid-json", 400, "The body is not valid JSON",
      "The body has to be one JSON document (RFC 8259) in UTF-8: no NaN or Infinity, no duplicate keys, no comments, "

@@ -85,10 +85,9 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
   env(app.add_option("--worker-nice", options.worker_nice,
                      "priority of planner threads below those that answer, 0 to 19")
           ->check(CLI::Range(0, 19)));
-  env(app.add_option("--max-memory", options.max_memory,
-                     "memory of the whole process, bytes or with a suffix: 3GiB; by default three quarters of the "
-                     "cgroup's limit, else of the machine's")
-          ->transform(CLI::AsSizeValue(false))
+  env(add_bytes(app, "--max-memory", options.max_memory,
+                "memory of the whole process, bytes or with a suffix: 3GiB; by default three quarters of the cgroup's "
+                "limit, else of the machine's")
           ->default_str(""));
   env(add_seconds(app, "--max-planning-time", options.max_planning,
                   "of a plan, whatever its time_budget, then the job ends as budget-exhausted"));
