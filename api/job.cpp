@@ -10,6 +10,8 @@
 #include "api/schema/schema.hpp"
 #include "api/text/json_text.hpp"
 #include "api/text/pointer.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -73,15 +75,18 @@ void check_texts(const json& document, std::vector<FieldError>& errors) {
     errors.push_back({"/callback", "must be an absolute http or https address"});
 }
 
-/// Throws Problem semantic-violation with all faults of envelope and spec that the schema does not find.
-void check_meaning(const json& document, const Kind& kind) {
+/// Throws Problem semantic-violation with all faults of envelope and spec that the schema does not find, and Stopped if
+/// none was found until then.
+void check_meaning(const json& document, const Kind& kind, Progress& progress) {
   std::vector<FieldError> errors;
   if (optional_string(document, "callback"))
     errors.push_back({"/callback",
                       "is not available in this version: leave it out or null, and wait for the job with "
                       "Prefer: wait or its events"});
   try {
-    kind.check(document["spec"]);
+    kind.check(document["spec"], progress);
+  } catch (const Stopped&) {
+    if (errors.empty()) throw;
   } catch (const Problem& problem) {
     if (errors.empty() || problem.type().slug != "semantic-violation") throw;
     errors.insert(errors.end(), problem.errors().begin(), problem.errors().end());
@@ -101,7 +106,9 @@ std::optional<JobState> job_state(std::string_view text) {
   return std::nullopt;
 }
 
-JobRequest parse_job(std::string_view body) {
+JobRequest parse_job(std::string_view body, Progress* progress) {
+  SilentProgress silent;
+  Progress& asked = progress ? *progress : silent;
   const json document = parse_json(body);
   auto errors = envelope_schema().validate(document);
   if (errors.empty()) check_texts(document, errors);
@@ -117,15 +124,21 @@ JobRequest parse_job(std::string_view body) {
         in_quotes(document["kind"].get_ref<const std::string&>()) + " is not a kind of this server; known: " + known;
     throw Problem("unknown-kind", message, {{"/kind", message}});
   }
-  if (kind && document.contains("spec") && document["spec"].is_object())
-    for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
+  JobRequest request;
+  try {
+    asked.report("read", 0);
+    if (kind && document.contains("spec") && document["spec"].is_object())
+      for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
+    asked.report("read", 0);
+    if (errors.empty()) check_meaning(document, *kind, asked);
+  } catch (const Stopped&) {
+    request.checked = false;
+  }
   if (!errors.empty()) {
     std::string detail = summary(errors, Schema::max_faults);
     throw Problem("schema-violation", detail, std::move(errors));
   }
-  check_meaning(document, *kind);
 
-  JobRequest request;
   request.kind = kind->name;
   request.name = optional_string(document, "name");
   request.reference = optional_string(document, "reference");

@@ -21,10 +21,12 @@ struct JobRequest {
   std::optional<std::int64_t> deadline;  ///< ms since 1970 UTC; planning that takes longer ends as deadline-exceeded
   std::optional<double> time_budget;     ///< s, largest planning time
   std::string document;                  ///< the whole document, exactly as posted; its `spec` is planned
+  bool checked = true;                   ///< false: the check of the spec was stopped; planning begins with it
 };
 /// Parses and checks a whole job document. Throws Problem: invalid-json (also for NaN, too deep nesting, broken UTF-8,
-/// duplicate keys), unknown-kind, schema-violation, semantic-violation.
-JobRequest parse_job(std::string_view body);
+/// duplicate keys), unknown-kind, schema-violation, semantic-violation. The check of the spec asks `progress`, if
+/// given; where that throws Stopped, the request is returned as not checked.
+JobRequest parse_job(std::string_view body, Progress* progress = nullptr);
 
 /// Returns the spec of a checked document, with each number in its canonical form (2.0 = 2), as it is planned. Asks
 /// `progress` while reading, if given.

@@ -30,8 +30,8 @@ struct Kind {
   std::string_view schema;  ///< the schema's JSON text, embedded at build time; served as /v1/schemas/<name>
   std::string_view
       result_schema;  ///< JSON text of the schema that every result satisfies; served as /v1/schemas/<name>.result
-  /// Checks a spec that passed the schema; throws Problem "semantic-violation" naming every fault.
-  void (*check)(const nlohmann::json& spec);
+  /// Checks a spec that passed the schema; throws Problem "semantic-violation" naming every fault, and Stopped.
+  void (*check)(const nlohmann::json& spec, Progress& progress);
   /// Plans a spec. Equal specs and versions give identical results. Throws core's errors; never returns an unverified
   /// plan as verified.
   PlannedJob (*plan)(const nlohmann::json& spec, Progress& progress);

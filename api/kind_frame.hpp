@@ -42,10 +42,9 @@ PlannedJob planned_job(std::string_view kind, KindReport report);
 
 template <class K>
 /// Implements Kind::check.
-void check_spec(const nlohmann::json& spec) {
+void check_spec(const nlohmann::json& spec, Progress& progress) {
   try {
-    SilentProgress silent;
-    const auto request = K::read(spec, silent);
+    const auto request = K::read(spec, progress);
     if constexpr (requires { K::check(request); }) K::check(request);
   } catch (const InvalidInput&) {
     throw problem_from_current_exception("/spec");

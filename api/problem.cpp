@@ -15,7 +15,7 @@
 namespace bahnwerk::api {
 namespace {
 
-constexpr std::array<ProblemType, 35> catalogue{{
+constexpr std::array<ProblemType, 36> catalogue{{
     // Problems of requests.
     {"invalid-json", 400, "The body is not valid JSON",
      "The body has to be one JSON document (RFC 8259) in UTF-8: no NaN or Infinity, no duplicate keys, no comments, "
@@ -76,6 +76,10 @@ constexpr std::array<ProblemType, 35> catalogue{{
     {"store-unavailable", 503, "The server's store does not answer",
      "The database cannot be reached at the moment. Repeat the request after the number of seconds given in "
      "`Retry-After`; the operator finds the reason in the server's log."},
+    {"out-of-memory", 503, "The server has no memory for this answer now",
+     "Plans and other answers take the memory that the server may use. Repeat the request after the number of seconds "
+     "given in `Retry-After`; nothing was stored. If it happens often, the operator can raise `--max-memory` or lower "
+     "the number of workers."},
     {"too-many-connections", 503, "Too many connections are open",
      "Close connections that are no longer needed, use one connection for several requests, and repeat the request "
      "after the number of seconds given in `Retry-After`."},
@@ -100,8 +104,10 @@ constexpr std::array<ProblemType, 35> catalogue{{
      "part or choose another machine."},
     {"tolerance-unreachable", 0, "A tolerance cannot be met",
      "`detail` names the best value reached. Widen the tolerance or allow the planner more freedom."},
-    {"budget-exhausted", 0, "The time budget ran out before the plan was finished",
-     "Post the job again with a larger `time_budget`, or without one."},
+    {"budget-exhausted", 0, "Time or memory ran out before the plan was finished",
+     "`detail` says which. Time: post the job again with a larger `time_budget`, or without one; the server has a "
+     "limit "
+     "of its own (`--max-planning-time`). Memory: divide the job, or let wider limits hold."},
     {"deadline-exceeded", 0, "The deadline passed before the plan was finished",
      "Post the job again with a later `deadline`, a higher `priority`, or without a deadline."},
     {"verification-failed", 0, "The finished plan did not pass the independent verification",

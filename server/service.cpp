@@ -63,15 +63,18 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   checks_ = std::make_unique<Pool>(check_threads);
   heavy_ = std::make_unique<Pool>(1, options.worker_nice);
   // The owner of a file needs no clock to detect that a worker has ended: it would have ended itself.
-  workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan),
-                                       store_->shared() ? std::optional(worker_lease) : std::nullopt, time_);
+  workers_ = std::make_unique<Workers>(
+      *store_, live_, notifier_, metrics_, std::move(engine.plan),
+      store_->shared() ? std::optional(worker_lease) : std::nullopt, time_,
+      [parse = engine.parse](const std::string& document, Progress& progress) { parse(document, &progress); });
+  workers_->limit_planning(options.max_planning);
   deadlines_ = std::make_unique<Deadlines>(*store_, time_);
   follow_changes();
   metrics_.build(options.build.version, options.build.commit);
-  context_ =
-      std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *scans_, *health_, *checks_, *heavy_,
-                                        metrics_, std::move(engine.parse), options.max_queued, options.limits.max_body,
-                                        draining_, options.build, time_, options.event_heartbeat, options.workers});
+  context_ = std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *scans_, *health_, *checks_, *heavy_,
+                                               metrics_, std::move(engine.parse), options.max_queued,
+                                               options.max_planning, options.limits.max_body, draining_, options.build,
+                                               time_, options.event_heartbeat, options.workers});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
   add_meta_routes(router_, *context_);

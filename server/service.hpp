@@ -19,11 +19,13 @@ struct ServiceOptions {
   std::string listen = "127.0.0.1:8080";
   std::string store = "sqlite:var/bahnwerk.db";
   std::size_t store_reserve = std::size_t{8} << 20;  ///< bytes of disk set aside, so that a full disk can be emptied
+  std::size_t max_memory = 0;                        ///< bytes of the whole process, set when it starts; 0: no limit
   int worker_nice = 10;  ///< difference of the planners' priority to that of the answering threads
   unsigned workers = 1;  ///< planner threads; 0 = accepts jobs without planning them
   unsigned http_threads = 2;
   std::size_t max_queued = 10'000;
-  std::vector<std::string> allowed_hosts;  ///< names by which clients ask for it; see allowed_hosts()
+  std::vector<std::string> allowed_hosts;           ///< names by which clients ask for it; see allowed_hosts()
+  std::chrono::milliseconds max_planning{600'000};  ///< time of a plan; then it ends as budget-exhausted
   Limits limits;
   std::chrono::milliseconds event_heartbeat{15'000};  ///< longest silence of a stream of events
   std::chrono::milliseconds drain_timeout{10'000};    ///< time for running jobs after the end was requested

@@ -52,6 +52,16 @@ class Store {
     total_ += size;
     return true;
   }
+  void clear() noexcept {
+    const std::lock_guard lock(mutex_);
+    for (const FreeMapping& mapping : kept_) std::free(mapping.memory);
+    kept_.clear();
+    total_ = 0;
+  }
+  std::size_t total() noexcept {
+    const std::lock_guard lock(mutex_);
+    return total_;
+  }
 
  private:
   std::mutex mutex_;
@@ -71,7 +81,14 @@ void* take(std::size_t bytes) {
   const std::size_t size = rounded(bytes);
   if (void* memory = store().take(size)) return memory;
   const bool large = size >= page;
-  void* memory = std::aligned_alloc(large ? page : 64, large ? (size + page - 1) / page * page : size);
+  const auto allocate = [&] {
+    return std::aligned_alloc(large ? page : 64, large ? (size + page - 1) / page * page : size);
+  };
+  void* memory = allocate();
+  if (memory == nullptr) {  // what is kept has other sizes
+    give_back();
+    memory = allocate();
+  }
   if (memory == nullptr) throw std::bad_alloc();
   if (large) madvise(memory, size, MADV_HUGEPAGE);  // memory stays on ordinary pages if the system refuses
   return memory;
@@ -80,5 +97,9 @@ void* take(std::size_t bytes) {
 void give(void* memory, std::size_t bytes) noexcept {
   if (!store().keep(memory, rounded(bytes))) std::free(memory);
 }
+
+void give_back() noexcept { store().clear(); }
+
+std::size_t kept() noexcept { return store().total(); }
 
 }  // namespace bahnwerk::large_pages

@@ -1,7 +1,7 @@
 #pragma once
 /// Storage for large arrays that are written once and read a few times, such as planners' grids. Taking fresh memory
 /// from the system 4 KiB at a time costs as much as computing its content, so memory comes in large pages, and freed
-/// memory is reused by the next plan, up to 512 MiB per process.
+/// memory is reused by the next plan, up to 512 MiB per process, until give_back().
 #include <cstddef>
 #include <limits>
 #include <new>
@@ -16,6 +16,9 @@ inline constexpr std::size_t max_kept = std::size_t{1} << 29;
 void* take(std::size_t bytes);
 /// Frees the memory that take(bytes) returned.
 void give(void* memory, std::size_t bytes) noexcept;
+/// Returns the memory that is kept for reuse to the system. Thread-safe.
+void give_back() noexcept;
+std::size_t kept() noexcept;  ///< bytes kept for reuse
 }  // namespace large_pages
 
 /// A standard allocator.

@@ -14,6 +14,7 @@
 #include "api/kind.hpp"
 #include "api/setpoints/setpoints.hpp"
 #include "server/runtime/log.hpp"
+#include "server/runtime/memory.hpp"
 
 namespace bahnwerk::server::cli {
 namespace {
@@ -84,6 +85,12 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
   env(app.add_option("--worker-nice", options.worker_nice,
                      "priority of planner threads below those that answer, 0 to 19")
           ->check(CLI::Range(0, 19)));
+  env(add_bytes(app, "--max-memory", options.max_memory,
+                "memory of the whole process, bytes or with a suffix: 3GiB; by default three quarters of the cgroup's "
+                "limit, else of the machine's")
+          ->default_str(""));
+  env(add_seconds(app, "--max-planning-time", options.max_planning,
+                  "of a plan, whatever its time_budget, then the job ends as budget-exhausted"));
   env(app.add_option("--role", role, "all = serve and plan; api and worker need a store that processes share")
           ->check(CLI::IsMember({"all", "api", "worker"})));
   env(app.add_option("--http-threads", options.http_threads, "socket threads")->check(CLI::Range(1, 64)));
@@ -137,6 +144,11 @@ int run_serve(const CLI::App& app, const ServiceOptions& options, const std::str
               << " needs a store that processes share; a SQLite file is owned by one process (use --role all)\n";
     return exit_usage;
   }
+  if (options.max_memory < min_memory) {
+    std::cerr << "bahnwerk: --max-memory " << options.max_memory << " is too little to serve; at least "
+              << (min_memory >> 20) << "MiB are needed\n";
+    return exit_usage;
+  }
   return serve(options);
 }
 
@@ -150,6 +162,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
 
   ServiceOptions options;
   options.build = build;
+  options.max_memory = default_memory_limit(memory_of_host());
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
   std::string role = "all", level = "info", job, contour, out, id, server = "http://127.0.0.1:8080", format = "csv",
               layout, frame, key;

@@ -8,6 +8,7 @@
 
 #include "server/cli/cli.hpp"
 #include "server/runtime/log.hpp"
+#include "server/runtime/memory.hpp"
 #include "server/runtime/supervisor.hpp"
 
 namespace bahnwerk::server::cli {
@@ -45,7 +46,10 @@ int serve(const ServiceOptions& options) {
   log::info("starting", {{"version", options.build.version},
                          {"commit", options.build.commit},
                          {"build", options.build.build},
+                         {"max_memory", options.max_memory},
                          {"pid", ::getpid()}});
+  if (options.max_memory > 0 && !limit_memory(options.max_memory))
+    log::warn("memory_not_limited", {{"max_memory", options.max_memory}});
   // Blocked before any thread starts, so that only this one takes them.
   sigset_t ends;
   sigemptyset(&ends);

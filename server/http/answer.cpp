@@ -1,10 +1,12 @@
 #include "server/http/answer.hpp"
 
 #include <array>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "api/text/pointer.hpp"
 #include "server/runtime/log.hpp"
+#include "server/runtime/memory.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
@@ -13,6 +15,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::size_t longest_instance = 500;  ///< bytes of the target that an answer repeats
+constexpr std::size_t short_text = 16 << 10;   // bytes; cheaper to send at once
 
 std::string dump(const ordered_json& document) {
   return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -38,6 +41,22 @@ Response text_answer(int status, std::string type, std::string body) {
   response.status = status;
   response.set("Content-Type", std::move(type));
   response.body = std::move(body);
+  return response;
+}
+
+Response text_answer(std::string type, std::unique_ptr<StoredText> text) {
+  if (text->size() <= short_text) {
+    std::string body;
+    while (text->next(body)) {
+    }
+    return text_answer(200, std::move(type), std::move(body));
+  }
+  Response response;
+  response.set("Content-Type", std::move(type));
+  response.length = text->size();
+  response.stream = [source = std::shared_ptr<StoredText>(std::move(text))](std::string& piece) {
+    return source->next(piece);
+  };
   return response;
 }
 
@@ -89,6 +108,12 @@ Response answer_from_current_exception(const Request& request) {
           api::Problem("store-unavailable", "Another program has locked the store; nothing of this request was kept."),
           request.target);
     return internal("The store failed; nothing of this request was kept.");
+  } catch (const std::bad_alloc&) {
+    open_memory_reserve();
+    log::error("out_of_memory", {{"request", request.id}, {"path", request.path}});
+    return problem_answer(
+        api::Problem("out-of-memory", "The memory that the service may use does not suffice for this answer now."),
+        request.target);
   } catch (const std::exception& error) {
     log::error("handler_failed", {{"request", request.id}, {"path", request.path}, {"detail", error.what()}});
     return internal("The server failed on this request; its log says more under the request id.");

@@ -1,5 +1,6 @@
 #pragma once
 /// Answers that several handlers use.
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include "server/http/message.hpp"
 
 namespace bahnwerk::server {
+class StoredText;  // server/store/store.hpp
 
 /// Returns the problem of a fault of the HTTP message or of the connection, by its status (400 bad-request, 408
 /// request-timeout, 413 payload-too-large, 417, 431, 501, 503 too-many-connections, 505; anything else internal).
@@ -15,6 +17,8 @@ api::Problem http_problem(int status, const std::string& detail);
 
 Response json_answer(int status, const nlohmann::ordered_json& document);
 Response text_answer(int status, std::string type, std::string body);
+/// Answers a stored text, 200, in pieces.
+Response text_answer(std::string type, std::unique_ptr<StoredText> text);
 Response problem_answer(const api::Problem& problem, std::string_view instance);
 Response http_error_answer(int status, const std::string& detail, std::string_view instance);
 /// Returns the answer to the exception of a handler; to be called inside a catch block. An exception other than Problem

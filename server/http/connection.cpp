@@ -12,7 +12,6 @@
 #include <boost/beast/http.hpp>
 
 #include "server/http/handover.hpp"
-#include "server/http/uri.hpp"
 #include "server/runtime/log.hpp"
 
 namespace bahnwerk::server {
@@ -21,50 +20,7 @@ namespace beast = boost::beast;
 namespace http = boost::beast::http;
 using beast::error_code;
 
-struct Connection::Incoming {
-  RequestPtr request = std::make_shared<Request>();
-  bool keep_alive = false;
-  bool http_1_0 = false;
-};
-
 namespace {
-
-constexpr std::size_t read_size = 64 << 10;
-constexpr std::size_t bytes_per_ms = 100;  // 100 kB/s: what a slow client has to manage
-constexpr std::chrono::milliseconds spare_patience{2'000};
-
-int fault_status(const error_code& error) {
-  if (error == http::error::header_limit || error == http::error::buffer_overflow) return 431;
-  if (error == http::error::body_limit) return 413;
-  if (error == http::error::bad_version) return 505;
-  return error.category() == make_error_code(http::error::bad_line_ending).category() &&
-                 error != http::error::end_of_stream && error != http::error::partial_message
-             ? 400
-             : 0;
-}
-
-/// Bytes of blank lines before a request: some clients send one after a body [RFC 9112, 2.2].
-constexpr std::size_t most_blank = 16;
-
-std::size_t skip_blank_lines(beast::flat_buffer& buffer) {
-  std::size_t skipped = 0;
-  for (;;) {
-    const std::string_view text(static_cast<const char*>(buffer.data().data()), buffer.size());
-    if (!text.starts_with("\r\n") || skipped > most_blank) return skipped;
-    buffer.consume(2);
-    skipped += 2;
-  }
-}
-
-/// The error of a request for whose body the memory for all bodies has no room.
-const error_code no_room = make_error_code(boost::system::errc::not_enough_memory);
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
 
 std::string http_date() {
   char text[40];
@@ -102,7 +58,7 @@ Connection::Connection(asio::ip::tcp::socket socket, std::shared_ptr<ConnectionC
                        bool spare)
     : stream_(std::move(socket)),
       context_(std::move(context)),
-      buffer_(context_->limits.max_header + read_size),
+      buffer_(context_->limits.max_header + max_read),
       timer_(stream_.get_executor()),
       id_(id),
       spare_(spare) {
@@ -149,163 +105,6 @@ void Connection::enter(ConnectionTable::Phase phase) {
   reading_ = phase == ConnectionTable::Phase::waiting || phase == ConnectionTable::Phase::body;
   if (const auto crowded = context_->table.enter(id_, phase, std::chrono::steady_clock::now()))
     context_->finish(*crowded);
-}
-
-/// A composed read would miss a cut that falls between two of its parts; this asks before every one.
-asio::awaitable<error_code> Connection::read_some() {
-  if (cut_ != Cut::none) co_return asio::error::operation_aborted;
-  const std::size_t room = std::min(read_size, buffer_.max_size() - buffer_.size());
-  if (room == 0) co_return http::error::buffer_overflow;
-  auto [error, size] = co_await stream_.async_read_some(buffer_.prepare(room), tuple_awaitable);
-  buffer_.commit(size);
-  co_return error;
-}
-
-template <class Parser>
-asio::awaitable<error_code> Connection::read_header(Parser& parser) {
-  const Limits& limits = context_->limits;
-  const auto whole = std::min(limits.header_timeout, spare_ ? spare_patience : limits.header_timeout);
-  if (first_)
-    read_until(connected_ + whole);
-  else if (buffer_.size() == 0)
-    read_until(std::chrono::steady_clock::now() + limits.idle_timeout);
-  bool begun = false;
-  for (std::size_t blank = 0;;) {
-    if (!begun) blank += skip_blank_lines(buffer_);
-    if (blank > most_blank) co_return http::error::bad_line_ending;
-    if (buffer_.size() > (begun ? 0 : 1)) {
-      error_code error;
-      buffer_.consume(parser.put(buffer_.data(), error));
-      if (error != http::error::need_more) co_return error;
-      if (!begun && !first_) read_until(std::chrono::steady_clock::now() + whole);
-      begun = true;
-    }
-    const error_code error = co_await read_some();
-    if (error && begun && error == asio::error::eof) co_return http::error::partial_message;
-    if (error) co_return begun || cut_ == Cut::none ? error : error_code(http::error::end_of_stream);
-  }
-}
-
-template <class Parser>
-asio::awaitable<error_code> Connection::read_body(Parser& parser, Request& request) {
-  const auto share = std::make_shared<BodyBudget::Share>(context_->bodies);
-  request.body_share = share;
-  parser.eager(true);
-  parser.body_limit(context_->limits.max_body);
-  const auto start = std::chrono::steady_clock::now();
-  for (std::size_t received = 0, fresh = buffer_.size();; fresh = buffer_.size() - fresh) {
-    if (!share->add(fresh)) co_return no_room;
-    received += fresh;
-    if (parser.chunked() && received > context_->limits.max_body)
-      co_return http::error::body_limit;  // the framing counts, too
-    while (buffer_.size() > 0 && !parser.is_done()) {
-      error_code error;
-      const std::size_t used = parser.put(buffer_.data(), error);
-      buffer_.consume(used);
-      if (error == http::error::need_more) break;
-      if (error) co_return error;
-      if (used == 0) break;
-    }
-    if (parser.is_done()) co_return error_code();
-    read_until(start + context_->limits.body_timeout + std::chrono::milliseconds(received / bytes_per_ms));
-    enter(ConnectionTable::Phase::body);
-    fresh = buffer_.size();  // the begin of a chunk's header, maybe
-    const error_code error = co_await read_some();
-    if (error) co_return error == asio::error::eof ? error_code(http::error::partial_message) : error;
-  }
-}
-
-asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
-  const Limits& limits = context_->limits;
-  const std::string too_large =
-      "The request body, its framing included, is larger than " + std::to_string(limits.max_body) + " bytes.";
-  Incoming incoming;
-  const auto broken = [&](int status, const std::string& detail) {
-    incoming.keep_alive = false;
-    incoming.request->fault = Fault{status, detail};
-    return std::optional(std::move(incoming));
-  };
-  const auto late = [&](const char* part) {
-    return broken(408, cut_ == Cut::timeout ? "The request's " + std::string(part) + " did not arrive in time."
-                       : cut_ == Cut::crowded
-                           ? "The request's " + std::string(part) + " came slowly, and others wait for a connection."
-                           : "The server is about to stop.");
-  };
-  Request& request = *incoming.request;
-  request.peer = peer_;
-  stream_.expires_never();
-  cut_ = Cut::none;
-  enter(ConnectionTable::Phase::waiting);
-  if (context_->closing || leaving_) co_return std::nullopt;
-
-  http::request_parser<http::string_body> parser;
-  parser.header_limit(static_cast<std::uint32_t>(limits.max_header));
-  parser.body_limit(boost::none);  // compared below, where there is an answer to it
-  const error_code error = co_await read_header(parser);
-  first_ = false;
-  stop_clock();
-  const struct Done {  // nobody cuts the connection from here on, except in the middle of the body
-    Connection& connection;
-    ~Done() {
-      connection.stop_clock();
-      connection.enter(ConnectionTable::Phase::busy);
-    }
-  } done{*this};
-  if (error) {
-    if (cut_ != Cut::none && error != http::error::end_of_stream) co_return late("header");
-    const int status = fault_status(error);
-    if (status == 0) co_return std::nullopt;
-    co_return broken(status, "The request's header is malformed: " + error.message() + ".");
-  }
-  auto& message = parser.get();
-  request.method = message.method_string();
-  request.target = message.target();
-  for (const auto& field : message) request.headers.emplace_back(lower(field.name_string()), field.value());
-  incoming.http_1_0 = message.version() == 10;
-  incoming.keep_alive = message.keep_alive() && !context_->closing && !spare_;
-
-  if (parser.content_length() && *parser.content_length() > limits.max_body) co_return broken(413, too_large);
-  if (const auto coding = request.header("transfer-encoding"); coding && lower(*coding) != "chunked")
-    co_return broken(501, "Of the transfer codings only chunked is known.");
-  // What an HTTP/1.0 client, or a proxy before it, takes for the end of this request is not known [RFC 9112, 6.1].
-  if (incoming.http_1_0 && request.header("transfer-encoding"))
-    co_return broken(400, "Before version 1.1 of HTTP a request has no Transfer-Encoding: where it ends is not sure.");
-  const std::size_t hosts = message.count(http::field::host);
-  if (hosts > 1 || (hosts == 0 && message.version() == 11))
-    co_return broken(400, "An HTTP/1.1 request needs exactly one Host header.");
-  if (hosts == 1 && !host_of(*request.header("host")))
-    co_return broken(400, "The Host header is no HOST or HOST:PORT.");
-  const auto target = parse_target(request.target);
-  if (!target || (target->path == "*" && request.method != "OPTIONS"))
-    co_return broken(400, "The request's target is malformed.");
-  request.path = target->path;
-  request.authority = target->authority.empty() ? request.header("host").value_or("") : target->authority;
-  request.segments = target->segments;
-  request.query = target->query;
-  if (spare_ && request.path != "/healthz" && request.path != "/readyz")
-    co_return broken(503, "All connections are in use; this one serves health and readiness only.");
-
-  if (!parser.is_done()) {
-    const auto expect = request.header("expect");
-    if (expect && lower(*expect) != "100-continue") co_return broken(417, "Only 100-continue can be expected.");
-    if (expect && !incoming.http_1_0) {  // 100 is not known there [RFC 9110, 10.1.1]
-      const bool written = co_await write_raw("HTTP/1.1 100 Continue\r\n\r\n");
-      if (!written) co_return std::nullopt;
-      stream_.expires_never();
-    }
-    const error_code failed = co_await read_body(parser, request);
-    if (failed) {
-      if (cut_ != Cut::none) co_return late("body");
-      if (failed == no_room)
-        co_return broken(503, "The bodies of other requests take all the memory set aside for them.");
-      const int status = fault_status(failed);
-      if (status == 0) co_return std::nullopt;
-      co_return broken(status,
-                       status == 413 ? too_large : "The request's body is malformed: " + failed.message() + ".");
-    }
-    request.body = std::move(parser.get().body());
-  }
-  co_return std::optional(std::move(incoming));
 }
 
 asio::awaitable<Response> Connection::answer(RequestPtr request) {
@@ -357,20 +156,24 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
     std::string text;
     bool more = false, failed = false;
   };
-  const bool chunked = !incoming.http_1_0;  // HTTP/1.0 has no chunks: its end is the connection's end
+  const auto length = response.length;
+  // HTTP/1.0 has no chunks: without a length the end of the answer is the connection's end.
+  const bool chunked = !incoming.http_1_0 && !length;
   http::response<http::empty_body> message(static_cast<http::status>(response.status), incoming.http_1_0 ? 10 : 11);
   put_headers(message, response);
   const auto feed = std::move(response.feed);
-  message.keep_alive(incoming.keep_alive && chunked && !feed);
+  message.keep_alive(incoming.keep_alive && (chunked || length) && !feed);
   if (chunked) message.chunked(true);
+  if (length) message.content_length(*length);
   http::response_serializer<http::empty_body> serializer(message);
   stream_.expires_after(context_->limits.write_timeout);
   auto [error, size] = co_await http::async_write_header(stream_, serializer, tuple_awaitable);
   if (error) co_return false;
-  if (incoming.request->method == "HEAD") co_return chunked;
+  if (incoming.request->method == "HEAD") co_return chunked || length;
   if (feed) listen([feed] { feed->stop(); });
 
   const auto pull = std::make_shared<std::function<bool(std::string&)>>(std::move(response.stream));
+  std::size_t sent = 0;
   for (bool more = true; more;) {
     const auto handover = std::make_shared<Handover<Piece>>(stream_.get_executor());
     if (feed) {
@@ -394,6 +197,8 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
     if (piece.failed) co_return false;
     more = piece.more;
     if (piece.text.empty()) continue;  // an empty chunk would mean the end
+    sent += piece.text.size();
+    if (length && sent > *length) co_return false;
     expire(context_->limits.write_timeout, piece.text.size());
     if (chunked) {
       auto [failed, written] =
@@ -404,7 +209,7 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
       if (failed) co_return false;
     }
   }
-  if (!chunked) co_return false;
+  if (!chunked) co_return length&& sent == *length;
   const bool ended = co_await write_raw("0\r\n\r\n");
   co_return ended && !feed;  // a feed's connection may have lasted for hours: it ends here
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// A client's connection: a coroutine that reads a request, awaits its answer, writes it, and repeats. Only
-/// listener.cpp and connection.cpp include this (Beast is slow to compile).
+/// listener.cpp and the connection's two sources include this (Beast is slow to compile).
 #include <atomic>
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
@@ -8,12 +8,14 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "server/http/body_budget.hpp"
 #include "server/http/connection_table.hpp"
 #include "server/http/listener.hpp"
+#include "server/http/message.hpp"
 
 namespace bahnwerk::server {
 
@@ -49,7 +51,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
  private:
   using Time = std::chrono::steady_clock::time_point;
-  struct Incoming;  ///< a request as read, or the answer to a broken one
+  static constexpr std::size_t max_read = 64 << 10;  ///< bytes that are read at once
+  static constexpr std::size_t bytes_per_ms = 100;   ///< 100 kB/s: what a slow client has to manage
+  /// A request as read, or the answer to a broken one.
+  struct Incoming {
+    RequestPtr request = std::make_shared<Request>();
+    bool keep_alive = false;
+    bool http_1_0 = false;
+  };
   boost::asio::awaitable<std::optional<Incoming>> read();
   boost::asio::awaitable<boost::system::error_code> read_some();
   template <class Parser>

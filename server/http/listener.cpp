@@ -100,6 +100,18 @@ struct Listener::State {
   Open open;
   std::vector<std::thread> threads;
 
+  /// A handler that finds no memory must not end the process.
+  void run() {
+    for (;;) {
+      try {
+        io.run();
+        return;
+      } catch (const std::exception& error) {
+        log::error("socket_thread_failed", {{"detail", error.what()}});
+      }
+    }
+  }
+
   asio::awaitable<void> accept() {
     asio::steady_timer pause(acceptor.get_executor());
     while (!context->closing) {
@@ -181,7 +193,7 @@ std::string Listener::address() const {
 
 void Listener::start(unsigned threads) {
   asio::co_spawn(state_->acceptor.get_executor(), state_->accept(), asio::detached);
-  for (unsigned i = 0; i < threads; ++i) state_->threads.emplace_back([this] { state_->io.run(); });
+  for (unsigned i = 0; i < threads; ++i) state_->threads.emplace_back([this] { state_->run(); });
 }
 
 void Listener::post(std::function<void()> work) { asio::post(state_->io, std::move(work)); }

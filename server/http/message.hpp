@@ -62,9 +62,10 @@ struct Response {
   /// An alternative to `body`: it is called until it returns false and appends a piece each time. Written chunked. May
   /// block. If it throws, the connection is aborted, so that the client sees that the answer is incomplete.
   std::function<bool(std::string&)> stream;
-  std::shared_ptr<Feed> feed;  ///< instead of both; the connection ends with it
-  std::string_view problem;    ///< slug of the problem that it reports; empty: none
-  bool close = false;          ///< end the connection after this answer
+  std::optional<std::size_t> length;  ///< bytes of all pieces of `stream`, if known: written as Content-Length instead
+  std::shared_ptr<Feed> feed;         ///< instead of both; the connection ends with it
+  std::string_view problem;           ///< slug of the problem that it reports; empty: none
+  bool close = false;                 ///< end the connection after this answer
 
   Response& set(std::string name, std::string value);  ///< replaces a header of that name (exact spelling)
   std::optional<std::string> header(std::string_view name) const;

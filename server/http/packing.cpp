@@ -22,7 +22,8 @@ std::string packed_tag(const std::string& etag) { return etag.substr(0, etag.siz
 bool may_be_packed(const Response& response) {
   const auto type = response.header("Content-Type");
   return type && !response.feed && !type->starts_with("text/event-stream") && response.status != 204 &&
-         response.status != 304 && (response.stream || response.body.size() >= worth_packing);
+         response.status != 304 &&
+         (response.stream ? response.length.value_or(worth_packing) : response.body.size()) >= worth_packing;
 }
 
 Response pack(Response response) {
@@ -30,6 +31,7 @@ Response pack(Response response) {
   response.set("Content-Encoding", "gzip");
   if (const auto etag = response.header("ETag")) response.set("ETag", packed_tag(*etag));
   if (response.stream) {
+    response.length.reset();
     response.stream = [gzip, source = std::move(response.stream)](std::string& out) {
       std::string piece;
       const bool more = source(piece);

@@ -1,25 +1,32 @@
 #include "server/jobs/progress.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <new>
 
 #include "core/base/errors.hpp"
+#include "server/runtime/memory.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
 constexpr auto publish_interval = std::chrono::milliseconds(100);
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr auto keep_interval = std::chrono::milliseconds(500);
 
 }  // namespace
 
-JobProgress::JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live, Hooks hooks)
+JobProgress::JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live,
+                         std::optional<std::chrono::milliseconds> most, Hooks hooks)
     : live_(std::move(live)),
       hooks_(std::move(hooks)),
       deadline_(job.request.deadline),
       budget_(job.request.time_budget),
       start_(hooks_.now()),
       published_(start_ - publish_interval),
-      kept_(start_) {}
+      kept_(start_) {
+  if (most) budget_ = std::min(budget_.value_or(infinity), std::chrono::duration<double>(*most).count());
+}
 
 JobProgress::Stop JobProgress::reason(std::string_view stage) const {
   if (live_->lost) return Stop::lost;
@@ -47,6 +54,7 @@ void JobProgress::report(std::string_view stage, double fraction, std::string_vi
     case Stop::lost:
       throw Stopped(StopReason::cancelled);
   }
+  if (uses_memory() && memory_is_short()) throw std::bad_alloc();
   // Progress never runs backwards, whatever a planner's stages claim; NaN counts as no news.
   if (fraction > fraction_) fraction_ = std::min(fraction, 1.0);
   const auto now = hooks_.now();

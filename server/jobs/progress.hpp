@@ -26,9 +26,12 @@ class JobProgress final : public Progress {
     std::function<std::int64_t()> now_ms;    ///< wall clock, for the deadline
     std::function<Clock::time_point()> now;  ///< steady clock, for budget and throttling
   };
-  JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live, Hooks hooks);
+  /// `most` limits the time of planning beside the job's own budget.
+  JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live, std::optional<std::chrono::milliseconds> most,
+              Hooks hooks);
 
-  /// Throws Stopped when the job has to end; stopped() then gives the reason. From the planner's thread only.
+  /// Throws Stopped when the job has to end; stopped() then gives the reason. Throws std::bad_alloc while planning when
+  /// answering threads have no memory but their reserve. From the planner's thread only.
   void report(std::string_view stage, double fraction, std::string_view message = {}) override;
   Stop stopped() const { return stopped_; }
   std::uint64_t reports() const { return reports_; }  ///< number of reports

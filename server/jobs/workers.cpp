@@ -13,14 +13,20 @@
 #include "server/runtime/uuid7.hpp"
 
 namespace bahnwerk::server {
+namespace {
+
+constexpr std::chrono::seconds idle_time{1};
+
+}  // namespace
 
 Workers::Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
-                 std::optional<std::chrono::milliseconds> lease, const TimeSource& time)
+                 std::optional<std::chrono::milliseconds> lease, const TimeSource& time, Checker check)
     : store_(store),
       live_(live),
       notifier_(notifier),
       metrics_(metrics),
       planner_(std::move(planner)),
+      check_(std::move(check)),
       name_(Uuid7().next(time.now_ms())),
       lease_(lease),
       time_(time) {
@@ -103,28 +109,68 @@ void Workers::loop() {
       continue;
     }
     if (job) {
+      {
+        const std::lock_guard lock(mutex_);
+        ++planning_;
+        memory_kept_ = true;
+      }
       const bool large = job->request.document.size() >= worth_giving_back;
       run(*job);
       job.reset();
       if (large) give_back_memory();
+      const std::lock_guard lock(mutex_);
+      --planning_;
       continue;
     }
     std::unique_lock lock(mutex_);
-    wake_.wait(lock, [&] { return stopping_ || notifications_ != seen; });
+    rest(lock, [&] { return stopping_ || notifications_ != seen; });
   }
   const std::lock_guard lock(mutex_);
   --active_;
   idle_.notify_all();
 }
 
+/// Waits. When no job has run for a second, the memory of the last ones is returned to the system.
+void Workers::rest(std::unique_lock<std::mutex>& lock, const std::function<bool()>& due) {
+  if (memory_kept_ && !wake_.wait_for(lock, idle_time, due) && planning_ == 0) {
+    memory_kept_ = false;
+    lock.unlock();
+    give_back_planning_memory();
+    lock.lock();
+  }
+  wake_.wait(lock, due);
+}
+
+/// Plans, after the rest of a check that was stopped at POST.
+api::PlannedJob Workers::plan(const api::JobRequest& request, JobProgress& progress) {
+  close_memory_reserve();
+  api::PlannedJob planned;
+  turns_.run(
+      [&] {
+        const MemoryUse use;
+        if (!request.checked && check_) check_(request.document, progress);
+        planned = planner_(request.kind, request.document, progress);
+      },
+      [&] { progress.report("waiting for memory", 0); },
+      [] {
+        give_back_planning_memory();
+        close_memory_reserve();
+      });
+  return planned;
+}
+
 Workers::Persisted Workers::persist(const std::string& id, const std::function<bool()>& write,
                                     const std::function<bool()>& give_up) {
+  int tries_without_memory = 5;
   for (;;) {
     try {
       if (!write()) log::warn("job_ending_ignored", {{"job", id}, {"detail", "the attempt was over already"}});
       return Persisted::yes;
     } catch (const StoreError& error) {
       log::error("store_failed", {{"job", id}, {"detail", error.what()}});
+    } catch (const std::bad_alloc&) {  // other jobs may have all of it for the moment
+      if (--tries_without_memory == 0) throw;
+      log::error("store_failed", {{"job", id}, {"detail", "no memory"}});
     }
     {
       const std::lock_guard lock(mutex_);
@@ -147,7 +193,7 @@ void Workers::run(const api::Job& job) {
   }
   log::info("job_started", {{"job", id}, {"kind", job.request.kind}, {"attempt", job.attempt}});
   JobProgress progress(
-      job, live,
+      job, live, most_planning_,
       {.publish = [&] { notifier_.changed(id, Change::progress); },
        .keep = [&](Progressed p, std::function<void()> done) { store_.progress(std::move(p), std::move(done)); },
        .now_ms = [&] { return time_.now_ms(); },
@@ -160,7 +206,7 @@ void Workers::run(const api::Job& job) {
   try {
     if (store_.cancel_requested(id)) live->cancel = true;  // the cancel was requested between the claim and now
     progress.report("planning", 0);
-    planned = planner_(job.request.kind, job.request.document, progress);
+    planned = plan(job.request, progress);
     if (!planned->verified) {
       unverified = api::result_text(*planned, progress);
       throw api::Problem("verification-failed",
@@ -170,6 +216,7 @@ void Workers::run(const api::Job& job) {
     planned.reset();
     problem = api::problem_from_current_exception("/spec");
   }
+  close_memory_reserve();
   bool given_up = false;
   if (planned) {
     outcome = "succeeded";

@@ -13,6 +13,8 @@
 #include "server/jobs/heartbeat.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
+#include "server/jobs/progress.hpp"
+#include "server/jobs/turns.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/store/store.hpp"
@@ -23,16 +25,22 @@ namespace bahnwerk::server {
 using Planner =
     std::function<api::PlannedJob(const std::string& kind, const std::string& document, Progress& progress)>;
 
+/// The check of a document whose check was stopped when it was posted. Throws Problem.
+using Checker = std::function<void(const std::string& document, Progress& progress)>;
+
 class Workers {
  public:
   /// `lease` is the duration of an attempt without a heartbeat of this process; nullopt: until the process ends, for a
   /// store that no other process uses. Progress is reported to `notifier` here, states by the store's changes.
   Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
-          std::optional<std::chrono::milliseconds> lease = std::nullopt, const TimeSource& time = system_time());
+          std::optional<std::chrono::milliseconds> lease = std::nullopt, const TimeSource& time = system_time(),
+          Checker check = {});
   ~Workers();  ///< interrupts and joins
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
+  /// Limits the time of every plan; to be called before start().
+  void limit_planning(std::chrono::milliseconds time) { most_planning_ = time; }
   /// `nice` is the difference of their priority to that of the answering threads (Linux).
   void start(unsigned threads, int nice = 0);
   void notify(std::size_t jobs = 1);  ///< has to be called when `jobs` jobs were queued or have ended
@@ -45,6 +53,8 @@ class Workers {
   Lease lease() const;
   void loop();
   void run(const api::Job& job);
+  api::PlannedJob plan(const api::JobRequest& request, JobProgress& progress);
+  void rest(std::unique_lock<std::mutex>& lock, const std::function<bool()>& due);
   enum class Persisted { yes, no, given_up };
   /// Stores an ending; while the store fails (disk full) it waits and tries again, until interrupted (no) or `give_up`
   /// (given_up).
@@ -56,13 +66,17 @@ class Workers {
   Notifier& notifier_;
   Metrics& metrics_;
   Planner planner_;
+  Checker check_;
+  std::optional<std::chrono::milliseconds> most_planning_;
+  Turns turns_;
   const std::string name_;  ///< name of this process, new at every start
   const std::optional<std::chrono::milliseconds> lease_;
   const TimeSource& time_;  ///< time of leases, deadlines, budgets and progress
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
   std::uint64_t notifications_ = 0;
-  unsigned active_ = 0;
+  unsigned active_ = 0, planning_ = 0;  ///< threads, and those of them that have a job
+  bool memory_kept_ = false;            ///< whether a job ran since memory was returned
   bool stopping_ = false, interrupted_ = false;
   std::optional<Heartbeat> heartbeat_;
   std::vector<std::thread> threads_;

@@ -5,6 +5,7 @@
 #include "api/text/pointer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
+#include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"
 
 namespace bahnwerk::server {
@@ -26,9 +27,14 @@ bool final(const api::Job& job) { return job.state != api::JobState::queued && j
 
 std::string job_etag(const api::Job& job) { return "\"" + std::to_string(job.revision) + "\""; }
 
-void require_success(Context& context, const std::string& id) {
-  const api::Job job = find_job(context, id);
-  if (job.state == api::JobState::succeeded) return;
+std::string content_etag(const Context& context, const api::Job& job, std::string_view what) {
+  return "\"" + std::string(what) + "-" + context.build.version + "-" + context.build.commit + "-" +
+         std::to_string(job.attempt) + "\"";
+}
+
+namespace {
+
+[[noreturn]] void throw_no_result(const api::Job& job) {
   const std::string state(api::to_string(job.state));
   if (!final(job)) throw api::Problem("job-not-finished", "The job is " + state + "; it has no result yet.");
   const std::string error = job.error.value_or("{}");
@@ -38,10 +44,20 @@ void require_success(Context& context, const std::string& id) {
       .because_of(error);
 }
 
-void require_result(Context& context, const std::string& id) {
-  const api::Job job = find_job(context, id);
+}  // namespace
+
+api::Job require_success(Context& context, const std::string& id) {
+  api::Job job = find_job(context, id);
+  if (job.state != api::JobState::succeeded) throw_no_result(job);
+  return job;
+}
+
+api::Job require_result(Context& context, const std::string& id) {
+  api::Job job = find_job(context, id);
+  if (job.state == api::JobState::succeeded) return job;
   const std::string why = job.state == api::JobState::failed ? job.error.value_or("{}") : "{}";
-  if (nlohmann::json::parse(why).value("type", "") != "/problems/verification-failed") require_success(context, id);
+  if (nlohmann::json::parse(why).value("type", "") != "/problems/verification-failed") throw_no_result(job);
+  return job;
 }
 
 void require_json(const Request& request) {
@@ -81,11 +97,23 @@ void require_precondition(const Request& request, const api::Job& job) {
     throw api::Problem("precondition-failed", "The job's ETag is " + job_etag(job) + ", as If-None-Match says.");
 }
 
+Handler scan_unless_known(Context& context, Tag tag, std::function<Response(const Request&)> work) {
+  return [&context, tag = std::move(tag), handler = on_pool(context.scans, std::move(work))](const RequestPtr& request,
+                                                                                             const Reply& reply) {
+    if (request->header("if-none-match"))
+      if (const auto job = context.store.at_hand(request->parameter("id")))
+        if (const std::string etag = tag(*request, *job); !etag.empty() && matches_etag(*request, etag))
+          return reply(with_etag(*request, etag, Response().set("Vary", "Accept")));
+    handler(request, reply);
+  };
+}
+
 Response with_etag(const Request& request, const std::string& etag, Response response) {
   if (matches_etag(request, etag)) {
     response.status = 304;
     response.body.clear();
     response.stream = nullptr;
+    response.length.reset();
     response.feed = nullptr;
   }
   response.set("ETag", etag);

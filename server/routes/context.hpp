@@ -15,7 +15,7 @@
 namespace bahnwerk::server {
 
 /// Checks a posted document: api::parse_job in the service, a small function in tests.
-using Parser = std::function<api::JobRequest(std::string_view body)>;
+using Parser = std::function<api::JobRequest(std::string_view body, Progress* progress)>;
 
 struct Context {
   Store& store;
@@ -24,12 +24,13 @@ struct Context {
   Pool& pool;    ///< threads for short reads: a few milliseconds
   Pool& scans;   ///< threads for what reads or writes much: lists, documents, pages, setpoints, packing, removal
   Pool& health;  ///< threads for readiness and metrics
-  Pool& checks;  ///< threads that check posted documents
-  Pool& heavy;   ///< one thread, for large documents: one after the other they cannot exhaust memory together
+  Pool& checks;  ///< threads that check posted documents, as long as that takes some ms
+  Pool& heavy;   ///< one thread, for large documents and long checks: one after the other
   Metrics& metrics;
   Parser parse;
   std::size_t max_queued;
-  std::size_t max_body;  ///< bytes of a body, also after decompression
+  std::chrono::milliseconds max_planning;  ///< limit of the time of a plan
+  std::size_t max_body;                    ///< bytes of a body, also after decompression
   const std::atomic<bool>& draining;
   const BuildInfo build;
   const TimeSource& time;
@@ -46,11 +47,11 @@ void add_page_routes(Router& router, Context& context);    ///< the list of jobs
 
 /// Returns the current state of the job, without its document; throws Problem not-found.
 api::Job find_job(Context& context, const std::string& id);
-/// Throws job-not-finished, or no-result with the job's error, unless the job succeeded.
-void require_success(Context& context, const std::string& id);
-/// Throws like require_success(), except for a job that failed its verification, which has a result, too: the plan and
+/// Returns the job. Throws job-not-finished, or no-result with the job's error, unless it succeeded.
+api::Job require_success(Context& context, const std::string& id);
+/// Acts like require_success(), except for a job that failed its verification, which has a result, too: the plan and
 /// its failed checks.
-void require_result(Context& context, const std::string& id);
+api::Job require_result(Context& context, const std::string& id);
 bool final(const api::Job& job);  ///< returns whether the job has ended
 std::string job_etag(const api::Job& job);
 Response job_answer(int status, const api::Job& job);
@@ -62,5 +63,16 @@ bool matches_etag(const Request& request, const std::string& etag);
 /// Throws Problem precondition-failed when If-Match does not name the tag of the job, or If-None-Match does: for
 /// requests that change something [RFC 9110, 13.1].
 void require_precondition(const Request& request, const api::Job& job);
+/// Returns the tag of something that was made for a job: it names `what`, the program that answers and the attempt.
+std::string content_etag(const Context& context, const api::Job& job, std::string_view what);
+/// Answers 304 when If-None-Match names `etag`, else what `make` returns, with the tag.
+template <class Make>
+Response unless_known(const Request& request, const std::string& etag, Make&& make) {
+  return with_etag(request, etag, matches_etag(request, etag) ? Response() : make());
+}
+/// Returns a handler that runs `work` on the pool of scans. If the job was read a moment ago and the client has what
+/// `tag` names, it answers 304 without another thread; `tag` returns "" where only `work` can tell.
+using Tag = std::function<std::string(const Request&, const api::Job&)>;
+Handler scan_unless_known(Context& context, Tag tag, std::function<Response(const Request&)> work);
 
 }  // namespace bahnwerk::server

@@ -4,12 +4,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <istream>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <streambuf>
 
 #include "api/kind.hpp"
 #include "api/problem.hpp"
 #include "api/setpoints/result_units.hpp"
 #include "api/setpoints/setpoints.hpp"
+#include "api/text/json_member.hpp"
 #include "api/text/pointer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
@@ -21,17 +25,67 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// Reads a stored text as a stream.
+class TextBuffer final : public std::streambuf {
+ public:
+  explicit TextBuffer(StoredText& text) : text_(text) {}
+
+ private:
+  int_type underflow() override {
+    piece_.clear();
+    if (!text_.next(piece_)) return traits_type::eof();
+    setg(piece_.data(), piece_.data(), piece_.data() + piece_.size());
+    return traits_type::to_int_type(piece_.front());
+  }
+  StoredText& text_;
+  std::string piece_;
+};
+
 /// Returns the result without the details, which a page does not show: they may have a hundred megabytes, and many
-/// times that when parsed.
-ordered_json read_result(const std::string& text) {
+/// times that when parsed. Drawings are null.
+ordered_json read_result(StoredText& text) {
   int kept = 0;  // depth at which a member of details begins that is left out
+  bool drawings = false;
   const auto filter = [&](int depth, ordered_json::parse_event_t event, ordered_json& value) {
-    if (event == ordered_json::parse_event_t::key && depth == 1) kept = value == "details";
-    return !(kept && depth == 2 && event == ordered_json::parse_event_t::key && value != "drawings" &&
-             value != "notes" && value != "method");
+    const bool key = event == ordered_json::parse_event_t::key;
+    if (key && depth == 1) kept = value == "details";
+    if (key && depth == 2) drawings = kept && value == "drawings";
+    if (drawings && depth == 3 && event == ordered_json::parse_event_t::value) value = nullptr;
+    return !(kept && depth == 2 && key && value != "drawings" && value != "notes" && value != "method");
   };
-  return ordered_json::parse(text, filter, false);
+  TextBuffer buffer(text);
+  std::istream stream(&buffer);
+  return ordered_json::parse(stream, filter, false);
 }
+
+/// The string at /details/drawings/<name> of a stored result, in pieces.
+class Drawing {
+ public:
+  Drawing(std::unique_ptr<StoredText> text, const std::string& name)
+      : text_(std::move(text)), member_({"details", "drawings", name}) {
+    while (!member_.found() && read()) {
+    }
+  }
+  bool exists() const { return member_.found(); }
+  bool next(std::string& out) {
+    while (pending_.empty() && read()) {
+    }
+    out += pending_;
+    pending_.clear();
+    return !member_.ended();
+  }
+
+ private:
+  bool read() {
+    piece_.clear();
+    if (member_.ended() || !text_->next(piece_)) return false;
+    member_.take(piece_, pending_);
+    return true;
+  }
+  std::unique_ptr<StoredText> text_;
+  api::JsonMember member_;
+  std::string piece_, pending_;
+};
 
 /// Returns a number with six significant digits; the exact value is in the result.
 std::string number(double value) {
@@ -229,7 +283,7 @@ Response job_page(Context& context, const Request& request) {
   const api::Job job = find_job(context, request.parameter("id"));
   ordered_json result;
   if (job.state == api::JobState::succeeded)
-    if (const auto text = context.store.result(job.id)) result = read_result(*text);
+    if (const auto text = context.store.open_result(job.id)) result = read_result(*text);
   const std::string title = job.request.name && !job.request.name->empty() ? *job.request.name : "Job " + job.id;
   return uncached(html_page(title, body(job, result), final(job) ? 0 : 2));
 }
@@ -239,16 +293,20 @@ Response drawing(Context& context, const Request& request) {
   const std::string_view type = drawing_type(name);
   if (!negotiate(request.header("accept"), std::array{type}))
     throw api::Problem("not-acceptable", "This drawing comes as " + std::string(type) + ".");
-  require_success(context, id);
-  const auto text = context.store.result(id);
-  const ordered_json result = text ? read_result(*text) : ordered_json();
-  const ordered_json::json_pointer all("/details/drawings");
-  if (!result.contains(all) || !result[all].contains(name))
-    throw api::Problem("not-found", "The job " + id + " has no drawing " + api::shortened(name) + ".");
-  Response response = text_answer(200, std::string(type), result[all][name].get<std::string>());
+  const api::Job job = require_success(context, id);
+  Response response = unless_known(request, content_etag(context, job, "drawing"), [&] {
+    auto text = context.store.open_result(id);
+    const auto drawing = text ? std::make_shared<Drawing>(std::move(text), name) : nullptr;
+    if (!drawing || !drawing->exists())
+      throw api::Problem("not-found", "The job " + id + " has no drawing " + api::shortened(name) + ".");
+    Response picture;
+    picture.set("Content-Type", std::string(type));
+    picture.stream = [drawing](std::string& piece) { return drawing->next(piece); };
+    return picture;
+  });
   // Opened on its own, a picture is a document: it gets no more rights than the page.
   response.set("Content-Security-Policy", "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'none'");
-  return with_etag(request, "\"drawing\"", std::move(response));
+  return response;
 }
 
 }  // namespace bahnwerk::server

@@ -74,13 +74,21 @@ Response cancel(Context& context, const Request& request) {
   return response;
 }
 
+std::string document_etag(const Context& context, api::Job job) {
+  job.attempt = 0;  // no attempt changes it
+  return content_etag(context, job, "spec");
+}
+
 /// Answers the document exactly as it was posted.
 Response document(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");
-  auto job = context.store.get(id, true);
-  if (!job) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
-  return with_etag(request, "\"spec\"", text_answer(200, "application/json", std::move(job->request.document)));
+  return unless_known(request, document_etag(context, find_job(context, id)), [&] {
+    auto text = context.store.open_document(id);
+    if (!text)
+      throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");  // it was deleted in between
+    return text_answer("application/json", std::move(text));
+  });
 }
 
 Response remove(Context& context, const Request& request) {
@@ -109,7 +117,9 @@ void add_job_routes(Router& router, Context& context) {
   router.add("GET", "/v1/jobs/{id}",
              [&](const RequestPtr& request, const Reply& reply) { watch(context, request, reply); });
   router.add("GET", "/v1/jobs/{id}/spec",
-             on_pool(context.scans, [&](const Request& request) { return document(context, request); }));
+             scan_unless_known(
+                 context, [&](const Request&, const api::Job& job) { return document_etag(context, job); },
+                 [&](const Request& request) { return document(context, request); }));
   router.add("GET", "/v1/jobs/{id}/events",
              [&](const RequestPtr& request, const Reply& reply) { events(context, request, reply); });
   router.add("DELETE", "/v1/jobs/{id}",

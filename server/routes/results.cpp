@@ -16,12 +16,14 @@ namespace {
 Response result(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");
-  require_result(context, id);
-  auto document = context.store.result(id);
-  if (!document) require_success(context, id);  // a failure of an older version
-  if (!document)
-    throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");  // the job was deleted in between
-  return with_etag(request, "\"result\"", text_answer(200, "application/json", std::move(*document)));
+  const api::Job job = require_result(context, id);
+  return unless_known(request, content_etag(context, job, "result"), [&] {
+    auto document = context.store.open_result(id);
+    if (!document) require_success(context, id);  // a failure of an older version
+    if (!document)
+      throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");  // the job was deleted in between
+    return text_answer("application/json", std::move(document));
+  });
 }
 
 /// Reads rows through the store's chunks and keeps the last chunk, because rows are read in order.
@@ -58,51 +60,85 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
 /// Answers a file that the job's kind makes of its stored result.
 Response kind_file(Context& context, const Request& request, const std::string& layout) {
   const std::string& id = request.parameter("id");
-  require_success(context, id);
-  const auto document = context.store.result(id);
-  if (!document) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
-  const auto result = nlohmann::json::parse(*document);
-  api::ResultFile file = api::result_file(result, layout);
-  Response response = text_answer(200, file.content_type, std::move(file.text));
-  if (!file.header.empty()) response.set(file.header, file.header_value);
-  response.set("Content-Disposition", "attachment; filename=\"" + id + "-" + layout + "." + file.extension + "\"");
-  return with_etag(request, "\"table-" + layout + "\"", std::move(response));
+  const api::Job job = require_success(context, id);
+  return unless_known(request, content_etag(context, job, "table-" + layout), [&] {
+    const auto document = context.store.result(id);
+    if (!document) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
+    const auto result = nlohmann::json::parse(*document);
+    api::ResultFile file = api::result_file(result, layout);
+    Response response = text_answer(200, file.content_type, std::move(file.text));
+    if (!file.header.empty()) response.set(file.header, file.header_value);
+    response.set("Content-Disposition", "attachment; filename=\"" + id + "-" + layout + "." + file.extension + "\"");
+    return response;
+  });
 }
 
-Response setpoints(Context& context, const Request& request) {
+Response setpoint_rows(Context& context, const Request& request, const api::SetpointQuery& query,
+                       api::SetpointFormat format) {
   const std::string& id = request.parameter("id");
-  const api::SetpointQuery query = api::parse_setpoint_query(request.query);
-  if (query.file_layout) return kind_file(context, request, *query.file_layout);
+  const auto info = context.store.series(id);
+  if (!info) throw api::Problem("not-found", "The job " + api::shortened(id) + " has no setpoints.");
+  const auto stream =
+      std::make_shared<api::SetpointStream>(api::SetpointStream(stored_series(context.store, *info), query, format));
+  std::string columns;
+  for (const Column& column : stream->columns()) columns += (columns.empty() ? "" : ",") + column.name;
+  Response response;
+  response.set("Content-Type", std::string(api::content_type(format)));
+  response.set("X-Columns", columns);
+  if (query.format)
+    response.set("Content-Disposition",
+                 "attachment; filename=\"" + id + "." + std::string(api::format_name(format)) + "\"");
+  response.stream = [stream](std::string& piece) { return stream->next(piece); };
+  return response;
+}
+
+api::SetpointFormat format_of(const Request& request, const api::SetpointQuery& query) {
   const auto format = query.format ? query.format : api::negotiate_setpoints(request.header("accept").value_or(""));
   if (!format)
     throw api::Problem(
         "not-acceptable",
         "Setpoints come as application/json, text/csv, application/x-ndjson or application/octet-stream.");
-  require_success(context, id);
-  const auto info = context.store.series(id);
-  if (!info) throw api::Problem("not-found", "The job " + api::shortened(id) + " has no setpoints.");
-  const auto stream =
-      std::make_shared<api::SetpointStream>(api::SetpointStream(stored_series(context.store, *info), query, *format));
-  std::string columns;
-  for (const Column& column : stream->columns()) columns += (columns.empty() ? "" : ",") + column.name;
-  Response response;
-  response.set("Content-Type", std::string(api::content_type(*format)));
-  response.set("X-Columns", columns);
+  return *format;
+}
+
+/// Returns the tag of setpoints. A succeeded job never changes: the address, query included, and the format name the
+/// bytes.
+std::string setpoints_etag(const Context& context, const Request& request, const api::SetpointQuery& query,
+                           const api::Job& job) {
+  return content_etag(context, job, "setpoints-" + std::string(api::format_name(format_of(request, query))));
+}
+
+Response setpoints(Context& context, const Request& request) {
+  const api::SetpointQuery query = api::parse_setpoint_query(request.query);
+  if (query.file_layout) return kind_file(context, request, *query.file_layout);
+  const api::SetpointFormat format = format_of(request, query);
+  const api::Job job = require_success(context, request.parameter("id"));
+  Response response = unless_known(request, setpoints_etag(context, request, query, job),
+                                   [&] { return setpoint_rows(context, request, query, format); });
   response.set("Vary", "Accept");
-  const std::string name(api::format_name(*format));
-  if (query.format) response.set("Content-Disposition", "attachment; filename=\"" + id + "." + name + "\"");
-  response.stream = [stream](std::string& piece) { return stream->next(piece); };
-  // A succeeded job never changes: the address, query included, and the format name the bytes.
-  return with_etag(request, "\"setpoints-" + name + "\"", std::move(response));
+  return response;
 }
 
 }  // namespace
 
 void add_result_routes(Router& router, Context& context) {
+  const auto succeeded = [](const api::Job& job) { return job.state == api::JobState::succeeded; };
   router.add("GET", "/v1/jobs/{id}/result",
-             on_pool(context.scans, [&](const Request& request) { return result(context, request); }));
+             scan_unless_known(
+                 context,
+                 [&context, succeeded](const Request&, const api::Job& job) {
+                   return succeeded(job) ? content_etag(context, job, "result") : std::string();
+                 },
+                 [&](const Request& request) { return result(context, request); }));
   router.add("GET", "/v1/jobs/{id}/setpoints",
-             on_pool(context.scans, [&](const Request& request) { return setpoints(context, request); }),
+             scan_unless_known(
+                 context,
+                 [&context, succeeded](const Request& request, const api::Job& job) {
+                   const api::SetpointQuery query = api::parse_setpoint_query(request.query);
+                   if (query.file_layout || !succeeded(job)) return std::string();
+                   return setpoints_etag(context, request, query, job);
+                 },
+                 [&](const Request& request) { return setpoints(context, request); }),
              {"first", "count", "every", "columns", "points", "format", "layout", "frame"});
 }
 

@@ -1,9 +1,15 @@
 #include "server/routes/submit.hpp"
 
 #include <openssl/evp.h>
+#include <time.h>
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
+#include <new>
 
+#include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/gzip.hpp"
@@ -15,15 +21,29 @@ namespace {
 
 constexpr std::size_t large_document = 1 << 20;  ///< bytes; a parsed document takes about 25 times its text
 
-/// Returns the memory of checking a large document to the system, valid or not.
-struct GiveBack {
-  explicit GiveBack(std::size_t bytes) : large(bytes >= worth_giving_back) {}
-  ~GiveBack() {
-    if (large) give_back_memory();
+/// A check at POST takes at most that long, counted from the end of the request, waiting included; what is more is
+/// checked by the worker. The reading of the text and of the envelope is not stopped.
+constexpr std::chrono::seconds check_time{2};
+/// Processor time of a check beside other ones; a longer check begins again on the thread of large documents.
+constexpr std::chrono::milliseconds quick_check{30};
+
+std::chrono::nanoseconds thread_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+}
+
+/// Stops a check when `over` says so.
+class CheckProgress final : public Progress {
+ public:
+  explicit CheckProgress(std::function<bool()> over) : over_(std::move(over)) {}
+  void report(std::string_view, double, std::string_view) override {
+    if (over_()) throw Stopped(StopReason::budget);
+    if (uses_memory() && memory_is_short()) throw std::bad_alloc();
   }
-  GiveBack(const GiveBack&) = delete;
-  GiveBack& operator=(const GiveBack&) = delete;
-  const bool large;
+
+ private:
+  const std::function<bool()> over_;
 };
 
 std::string sha256(std::string_view text) {
@@ -69,12 +89,112 @@ Response accepted(Context& context, const Inserted& inserted) {
   return response;
 }
 
-/// Returns the uncompressed body, with the size limit of a plain one.
-void unpack_body(Request& request, std::size_t most) {
-  auto text = gunzip(request.body, most);
-  if (!text) throw http_problem(413, "The request body, unpacked, is larger than " + std::to_string(most) + " bytes.");
-  request.body = std::move(*text);
-}
+/// A posted document on its way into the store.
+class Post : public std::enable_shared_from_this<Post> {
+ public:
+  Post(Context& context, RequestPtr request, Reply reply, bool packed)
+      : context_(context),
+        request_(std::move(request)),
+        reply_(std::move(reply)),
+        packed_(packed),
+        until_(context.time.now() + check_time) {
+    job_.idempotency_key = idempotency_key(*request_);
+  }
+
+  void begin() {
+    if (!packed_ && request_->body.size() > large_document) return take_turn();
+    context_.checks.post([self = shared_from_this()] { self->answered([&] { return self->quick(); }); });
+  }
+
+ private:
+  /// Runs `work`, which returns false where the document has to take its turn; answers an exception.
+  template <class Work>
+  void answered(Work&& work) {
+    try {
+      if (!work()) take_turn();
+    } catch (...) {
+      reply_(answer_from_current_exception(*request_));
+    }
+  }
+
+  void take_turn() {
+    if (request_->listen)
+      request_->listen([weak = weak_from_this()] {
+        if (const auto self = weak.lock()) self->finish_ = true;
+      });
+    context_.heavy.post([self = shared_from_this()] {
+      self->answered([&] { return self->thorough(); });
+      give_back_memory();
+    });
+  }
+
+  /// Checks and stores a document of some kilobytes; returns false if it is none.
+  bool quick() {
+    if (!unpack(large_document)) return false;
+    const auto begin = thread_time();
+    CheckProgress progress([&] { return thread_time() - begin > quick_check; });
+    try {
+      job_.request = context_.parse(request_->body, &progress);
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+    if (!job_.request.checked) return false;
+    insert();
+    return true;
+  }
+
+  bool thorough() {
+    if (!unpack(context_.max_body))
+      throw http_problem(413,
+                         "The request body, unpacked, is larger than " + std::to_string(context_.max_body) + " bytes.");
+    CheckProgress progress([&] { return finish_ || context_.time.now() >= until_; });
+    try {
+      const MemoryUse use;
+      job_.request = context_.parse(request_->body, &progress);
+    } catch (const std::bad_alloc&) {
+      throw api::Problem("semantic-violation",
+                         "The memory that the service may use does not suffice to check the document: divide it, or "
+                         "describe it with curves instead of many short lines.");
+    }
+    insert();
+    return true;
+  }
+
+  /// Unpacks the body if it is packed; returns false if it has more than `most` bytes then.
+  bool unpack(std::size_t most) {
+    if (!packed_) return true;
+    auto text = gunzip(request_->body, most);
+    if (!text) return false;
+    request_->body = std::move(*text);
+    packed_ = false;
+    return true;
+  }
+
+  void insert() {
+    if (!job_.idempotency_key.empty()) job_.body_hash = sha256(request_->body);
+    request_->body = std::string();
+    job_.now = context_.time.now_ms();
+    job_.max_queued = context_.max_queued;
+    context_.store.insert(std::move(job_),
+                          [self = shared_from_this()](const Inserted& inserted, std::exception_ptr error) {
+                            // This runs on the store's thread: it hands over at once.
+                            self->context_.pool.post([self, inserted, error = std::move(error)] {
+                              reply_with(*self->request_, self->reply_, [&] {
+                                if (error) std::rethrow_exception(error);
+                                return accepted(self->context_, inserted);
+                              });
+                            });
+                          });
+  }
+
+  Context& context_;
+  const RequestPtr request_;
+  const Reply reply_;
+  bool packed_;
+  const TimeSource::Time until_;
+  NewJob job_;
+  std::atomic<bool> finish_{false};  ///< the client has left, or others need the connection
+};
 
 }  // namespace
 
@@ -91,33 +211,7 @@ void submit(Context& context, const RequestPtr& request, const Reply& reply) {
     return reply(std::move(response));
   }
   if (context.draining) throw api::Problem("draining", "The server is about to stop and takes no new jobs.");
-  NewJob job;
-  job.idempotency_key = idempotency_key(*request);
-  // The size of a packed body is known only when it is unpacked: such bodies are handled one after the other, too.
-  const bool large = request->body.size() > large_document || *coding == Coding::gzip;
-  Pool& pool = large ? context.heavy : context.checks;
-  pool.post([&context, request, reply, coding, job = std::move(job)]() mutable {
-    try {
-      if (*coding == Coding::gzip) unpack_body(*request, context.max_body);
-      if (!job.idempotency_key.empty()) job.body_hash = sha256(request->body);
-      const GiveBack afterwards(request->body.size());
-      job.request = context.parse(request->body);
-      job.now = context.time.now_ms();
-      job.max_queued = context.max_queued;
-      context.store.insert(std::move(job),
-                           [&context, request, reply](const Inserted& inserted, std::exception_ptr error) {
-                             // This runs on the store's thread: it hands over at once.
-                             context.pool.post([&context, request, reply, inserted, error = std::move(error)] {
-                               reply_with(*request, reply, [&] {
-                                 if (error) std::rethrow_exception(error);
-                                 return accepted(context, inserted);
-                               });
-                             });
-                           });
-    } catch (...) {
-      reply(answer_from_current_exception(*request));
-    }
-  });
+  std::make_shared<Post>(context, request, reply, *coding == Coding::gzip)->begin();
 }
 
 }  // namespace bahnwerk::server

@@ -11,6 +11,10 @@ namespace {
 
 constexpr int longest_wait = 60;
 
+Response current(const Request& request, const api::Job& job) {
+  return unless_known(request, job_etag(job), [&] { return job_answer(200, job); });
+}
+
 /// One delayed request. It reads the job on the pool, and again whenever the notifier calls.
 struct Waiting : std::enable_shared_from_this<Waiting> {
   Waiting(Context& all, RequestPtr asked, Reply answer, int seconds)
@@ -44,7 +48,7 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
     try {
       const api::Job job = find_job(context, id);
       if (over() || due(job)) {
-        Response response = with_etag(*request, job_etag(job), job_answer(200, job));
+        Response response = current(*request, job);
         response.set("Preference-Applied", "wait=" + std::to_string(wait));
         return reply(std::move(response));
       }
@@ -121,12 +125,12 @@ void watch(Context& context, const RequestPtr& request, const Reply& reply) {
   // Most queries are for a job that was read a moment ago: no other thread is woken for those.
   if (auto job = context.store.at_hand(request->parameter("id"))) {
     context.live.overlay(*job);
-    return reply(with_etag(*request, job_etag(*job), job_answer(200, *job)));
+    return reply(current(*request, *job));
   }
   context.pool.post([&context, request, reply] {
     reply_with(*request, reply, [&] {
       const api::Job job = find_job(context, request->parameter("id"));
-      return with_etag(*request, job_etag(job), job_answer(200, job));
+      return current(*request, job);
     });
   });
 }

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "server/runtime/log.hpp"
 #include "server/runtime/priority.hpp"
 
 namespace bahnwerk::server {
@@ -30,7 +31,11 @@ void Pool::post(std::function<void()> work) {
     thread_local bool lowered = false;
     if (!lowered) lower_priority(state->nice);
     lowered = true;
-    work();
+    try {
+      work();
+    } catch (const std::exception& error) {  // no memory even to say so
+      log::error("work_failed", {{"detail", error.what()}});
+    }
     work = nullptr;  // the task's captures are destroyed before it counts as done
     const std::lock_guard lock(state->mutex);
     if (--state->pending == 0) state->idle.notify_all();

@@ -1,10 +1,14 @@
 #include "server/store/codec.hpp"
 
 #include <zstd.h>
+#include <zstd_errors.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <stdexcept>
 
 namespace bahnwerk::server {
@@ -13,23 +17,52 @@ namespace {
 constexpr int level = 3;
 constexpr std::uint32_t max_rows = 1U << 20;
 
-std::string compress(const void* data, std::size_t size) {
-  std::string out(ZSTD_compressBound(size), '\0');
-  const std::size_t written = ZSTD_compress(out.data(), out.size(), data, size, level);
-  if (ZSTD_isError(written)) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(written));
-  out.resize(written);
-  return out;
+constexpr std::uint32_t index_magic = 0x184D2A50;
+constexpr std::size_t index_fixed = 16;  // magic, bytes that follow, size of the text
+
+[[noreturn]] void damaged() { throw std::runtime_error("stored data is damaged"); }
+
+void throw_if_short_of_memory(std::size_t code) {
+  if (ZSTD_getErrorCode(code) == ZSTD_error_memory_allocation) throw std::bad_alloc();
 }
+
+/// Compresses pieces of up to `most` bytes, each to a frame of its own.
+class Compressor {
+ public:
+  explicit Compressor(std::size_t most)
+      : context_(ZSTD_createCCtx(), ZSTD_freeCCtx), room_(ZSTD_compressBound(most)), frame_(new char[room_]) {
+    if (!context_) throw std::bad_alloc();
+  }
+  /// Appends a frame to `out`. What `out` takes is the frames, not the room that they needed while they were made.
+  void append(const void* data, std::size_t size, std::string& out) {
+    const std::size_t written = ZSTD_compressCCtx(context_.get(), frame_.get(), room_, data, size, level);
+    throw_if_short_of_memory(written);
+    if (ZSTD_isError(written)) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(written));
+    out.append(frame_.get(), written);
+  }
+
+ private:
+  std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context_;
+  std::size_t room_;
+  std::unique_ptr<char[]> frame_;
+};
 
 void decompress(std::string_view packed, void* out, std::size_t size) {
   const std::size_t read = ZSTD_decompress(out, size, packed.data(), packed.size());
-  if (ZSTD_isError(read) || read != size) throw std::runtime_error("stored data is damaged");
+  throw_if_short_of_memory(read);
+  if (ZSTD_isError(read) || read != size) damaged();
+}
+
+template <class Number>
+Number number_at(std::string_view bytes, std::size_t at) {
+  Number value = 0;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
 }
 
 std::size_t content_size(std::string_view packed) {
   const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > (1ULL << 40))
-    throw std::runtime_error("stored data is damaged");
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > (1ULL << 40)) damaged();
   return size;
 }
 
@@ -38,10 +71,51 @@ std::uint64_t unzigzag(std::uint64_t v) { return (v >> 1) ^ (0 - (v & 1)); }
 
 }  // namespace
 
-std::string pack_text(std::string_view text) { return compress(text.data(), text.size()); }
+std::string pack_text(std::string_view text) {
+  std::string out;
+  Compressor compressor(std::min(text.size(), text_piece));
+  if (text.size() <= text_piece) {
+    compressor.append(text.data(), text.size(), out);
+    return out;
+  }
+  const std::size_t frames = (text.size() + text_piece - 1) / text_piece;
+  out.resize(index_fixed + frames * sizeof(std::uint32_t));
+  const auto put = [&out](std::size_t at, auto number) { std::memcpy(out.data() + at, &number, sizeof number); };
+  put(0, index_magic);
+  put(4, static_cast<std::uint32_t>(out.size() - 8));
+  put(8, std::uint64_t{text.size()});
+  for (std::size_t k = 0; k < frames; ++k) {
+    const std::string_view piece = text.substr(k * text_piece, text_piece);
+    const std::size_t begin = out.size();
+    compressor.append(piece.data(), piece.size(), out);
+    put(index_fixed + k * sizeof(std::uint32_t), static_cast<std::uint32_t>(out.size() - begin));
+  }
+  return out;
+}
+
+std::size_t text_index_size(std::string_view head) {
+  if (head.size() < text_index_head || number_at<std::uint32_t>(head, 0) != index_magic) return 0;
+  return 8 + std::size_t{number_at<std::uint32_t>(head, 4)};
+}
+
+TextIndex text_index(std::string_view packed) {
+  const std::size_t size = text_index_size(packed);
+  if (size < index_fixed || size > packed.size()) damaged();
+  TextIndex index;
+  index.size = number_at<std::uint64_t>(packed, 8);
+  const std::size_t frames = (size - index_fixed) / sizeof(std::uint32_t);
+  if (index.size > frames * text_piece || index.size + text_piece <= frames * text_piece) damaged();
+  for (std::size_t k = 0, at = size; k < frames; ++k) {
+    const std::size_t bytes = number_at<std::uint32_t>(packed, index_fixed + k * sizeof(std::uint32_t));
+    index.frames.emplace_back(at, bytes);
+    at += bytes;
+  }
+  return index;
+}
 
 std::string unpack_text(std::string_view packed) {
-  std::string out(content_size(packed), '\0');
+  const std::size_t index = text_index_size(packed);
+  std::string out(index > 0 ? text_index(packed).size : content_size(packed), '\0');
   decompress(packed, out.data(), out.size());
   return out;
 }
@@ -64,7 +138,9 @@ std::string pack_rows(const double* values, std::size_t rows, std::size_t column
       for (std::size_t b = 0; b < 8; ++b) plane[b * rows + r] = static_cast<unsigned char>(code >> (8 * b));
     }
   }
-  return compress(planes.data(), planes.size());
+  std::string out;
+  Compressor(planes.size()).append(planes.data(), planes.size(), out);
+  return out;
 }
 
 void unpack_rows(std::string_view packed, std::size_t columns, std::vector<double>& out) {

@@ -5,11 +5,22 @@
 #include <exception>
 #include <functional>
 #include <map>
+#include <memory>
 
 #include "server/store/changes.hpp"
 #include "server/store/values.hpp"
 
 namespace bahnwerk::server {
+
+/// A stored text, read in pieces in order.
+class StoredText {
+ public:
+  virtual ~StoredText() = default;
+  virtual std::size_t size() const = 0;  ///< bytes of the whole text
+  /// Appends the next piece, about 128 KiB; returns false, without a change, at the end. Throws StoreError if the job
+  /// was deleted meanwhile. Calls may come from several threads, one after the other.
+  virtual bool next(std::string& out) = 0;
+};
 
 class Store : public ChangeSource {
  public:
@@ -70,12 +81,25 @@ class Store : public ChangeSource {
   /// Removes the job at once, then its rows piece by piece, so that other writes proceed in between.
   virtual Removed remove(const std::string& id) = 0;
 
-  virtual std::optional<std::string> result(const std::string& id) = 0;  ///< the result document's text
-  virtual std::optional<SeriesInfo> series(const std::string& id) = 0;   ///< nullopt: no result, or none with setpoints
+  /// Opens the document as it was posted, and the result document; nullptr if there is none.
+  virtual std::unique_ptr<StoredText> open_document(const std::string& id) = 0;
+  virtual std::unique_ptr<StoredText> open_result(const std::string& id) = 0;
+  std::optional<std::string> result(const std::string& id);             ///< the whole result document
+  virtual std::optional<SeriesInfo> series(const std::string& id) = 0;  ///< nullopt: no result, or none with setpoints
   /// Reads the rows of chunk `first_row` (a multiple of chunk_rows), row-major. Throws StoreError when it was removed.
   virtual void read_chunk(const SeriesInfo& series, std::size_t first_row, std::vector<double>& out) = 0;
 
   virtual void checkpoint() = 0;  ///< empties side files; for an orderly end
 };
+
+inline std::optional<std::string> Store::result(const std::string& id) {
+  const auto text = open_result(id);
+  if (!text) return std::nullopt;
+  std::string whole;
+  whole.reserve(text->size());
+  while (text->next(whole)) {
+  }
+  return whole;
+}
 
 }  // namespace bahnwerk::server

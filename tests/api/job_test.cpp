@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "api/planned_job.hpp"
+#include "api/problem.hpp"
 #include "api/text/json_text.hpp"
+#include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/documents.hpp"
 
@@ -25,6 +27,39 @@ TEST(ParseJob, ReadsEveryMember) {
   EXPECT_FALSE(request.callback);
   EXPECT_EQ(request.document, test::read_file(test::source("schemas/examples/job/complete.json")));
   EXPECT_EQ(job_spec(request.document), test::read_json(test::source("schemas/examples/job/complete.json"))["spec"]);
+}
+
+/// Stops a check at its n-th question.
+struct StopsAt final : Progress {
+  explicit StopsAt(int n) : left(n) {}
+  void report(std::string_view, double, std::string_view) override {
+    if (--left <= 0) throw Stopped(StopReason::budget);
+  }
+  int left;
+};
+
+TEST(ParseJob, AStoppedCheckLeavesTheRequestUnchecked) {
+  auto document = test::read_json(test::source("schemas/examples/job/minimal.json"));
+  for (const int n : {1, 2, 1000}) {
+    StopsAt progress(n);
+    const auto request = parse_job(document.dump(), &progress);
+    EXPECT_EQ(request.checked, n == 1000);
+    EXPECT_EQ(request.document, document.dump());
+  }
+  for (const auto& [member, value, slug] :
+       {std::tuple<const char*, json, const char*>{"priority", "high", "schema-violation"},
+        {"kind", "unheard", "unknown-kind"},
+        {"callback", "https://example.org", "semantic-violation"}}) {
+    json faulty = document;
+    faulty[member] = value;
+    StopsAt progress(2);
+    try {
+      parse_job(faulty.dump(), &progress);
+      ADD_FAILURE() << "faults of the envelope are found all the same: " << member;
+    } catch (const Problem& problem) {
+      EXPECT_EQ(problem.type().slug, slug);
+    }
+  }
 }
 
 TEST(ParseJob, AbsentAndNullAreTheSame) {

@@ -99,9 +99,10 @@ TEST(KindFrame, JobIsVerifiedIfTheVerificationPassed) {
 
 TEST(KindFrame, FaultsOfReadingAndOfCheckingAreFoundWhenTheDocumentIsSubmitted) {
   const Kind kind = kind_of<Countdown>();
-  EXPECT_NO_THROW(kind.check({{"from", 12}}));
+  SilentProgress silent;
+  EXPECT_NO_THROW(kind.check({{"from", 12}}, silent));
   for (const int from : {0, 13}) try {
-      kind.check({{"from", from}});
+      kind.check({{"from", from}}, silent);
       ADD_FAILURE() << from << " is accepted";
     } catch (const Problem& problem) {
       EXPECT_EQ(problem.type().slug, "semantic-violation");

@@ -64,6 +64,13 @@ for name in named:
     for variable in set(re.findall(r"\bBAHNWERK_\w+", (root / name).read_text())):
         expect(variable in variables, f"{name}: the program has no variable {variable}")
 
+# One number for memory, three quarters of the limit of unit, container and pod.
+for name, limit in [("deploy/systemd/bahnwerk.service", "MemoryMax=4G\n"), ("docker/compose.yaml", "mem_limit: 4g\n"),
+                    ("deploy/kubernetes/statefulset.yaml", "memory: 4Gi\n")]:
+    text = (root / name).read_text()
+    expect(limit in text, f"{name} has no {limit.strip()}")
+    expect(re.search(r"BAHNWERK_MAX_MEMORY\W+(?:value: )?3GiB", text), f"{name} does not set BAHNWERK_MAX_MEMORY to 3GiB")
+
 # The version stands in three more places.
 expect(f"image: bahnwerk:{version}\n" in (root / "docker/compose.yaml").read_text(), f"docker/compose.yaml is not of version {version}")
 expect(f"newTag: {version}\n" in (root / "deploy/kubernetes/kustomization.yaml").read_text(), f"kustomization.yaml is not of version {version}")

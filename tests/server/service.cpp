@@ -2,8 +2,10 @@
 /// service_waiting.cpp.
 #include "server/service.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <future>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
@@ -178,12 +180,12 @@ TEST_F(ServiceTest, EndsInTimeWhateverItIsDoing) {
   options.answer_patience = 100ms;  // too little for a check that has not ended
   std::atomic<bool> checking{false}, over{false};
   Engine engine = stub_engine();
-  engine.parse = [&, parse = engine.parse](std::string_view body) {
+  engine.parse = [&, parse = engine.parse](std::string_view body, Progress* progress) {
     if (body == R"({"slow":true})") {
       checking = true;
       while (!over) std::this_thread::sleep_for(1ms);
     }
-    return parse(body);
+    return parse(body, progress);
   };
   service = std::make_unique<Service>(options, std::move(engine));
   client = std::make_unique<HttpClient>("http://" + service->address());
@@ -225,13 +227,13 @@ TEST_F(ServiceTest, LooksAtJobsWhileDocumentsAreChecked) {
   std::atomic<bool> over{false};
   std::atomic<int> checking{0}, checked{0}, answered{0};
   Engine engine = stub_engine();
-  engine.parse = [&, parse = engine.parse](std::string_view body) {
+  engine.parse = [&, parse = engine.parse](std::string_view body, Progress* progress) {
     if (body == R"({"slow":true})") {
       ++checking;
       while (!over) std::this_thread::sleep_for(1ms);
       ++checked;
     }
-    return parse(body);
+    return parse(body, progress);
   };
   service = std::make_unique<Service>(options, std::move(engine));
   client = std::make_unique<HttpClient>("http://" + service->address());
@@ -251,6 +253,89 @@ TEST_F(ServiceTest, LooksAtJobsWhileDocumentsAreChecked) {
   over = true;
   for (auto& thread : posters) thread.join();
   EXPECT_EQ(checked, 16);
+}
+
+/// Asks `progress` until it stops the check, which takes processor time; returns the request as not checked.
+api::JobRequest checked_for_ever(Progress& progress, api::JobRequest request) {
+  try {
+    for (;;) progress.report("read", 0);
+  } catch (const Stopped&) {
+    request.checked = false;
+  }
+  return request;
+}
+
+TEST_F(ServiceTest, LongChecksEndAndNeverHoldAShortOne) {
+  Engine engine = stub_engine(time);
+  std::atomic<int> begun{0};
+  engine.parse = [&, parse = engine.parse](std::string_view body, Progress* progress) {
+    api::JobRequest request = parse(body, progress);
+    if (body != R"({"long":true})") return request;
+    ++begun;
+    if (progress != nullptr) return checked_for_ever(*progress, std::move(request));
+    return request;
+  };
+  options.workers = 0;
+  service = std::make_unique<Service>(options, std::move(engine), time);
+  client = std::make_unique<HttpClient>("http://" + service->address());
+  std::vector<std::future<int>> long_posts;
+  for (int i = 0; i < 4; ++i)
+    long_posts.push_back(std::async(std::launch::async, [&] {
+      return HttpClient("http://" + service->address())
+          .request("POST", "/v1/jobs", {{"Content-Type", "application/json"}}, R"({"long":true})")
+          .status;
+    }));
+  EXPECT_TRUE(soon([&] { return begun >= 5; })) << "each begins beside the others, and again in its turn";
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(post("{}").status, 202) << "while time stands still for the long ones";
+  EXPECT_TRUE(soon([&] {  // in their turn they have two seconds
+    time.advance(100ms);
+    return std::all_of(long_posts.begin(), long_posts.end(),
+                       [](auto& answer) { return answer.wait_for(0s) == std::future_status::ready; });
+  }));
+  for (auto& answer : long_posts) EXPECT_EQ(answer.get(), 202) << "what was not checked is accepted";
+}
+
+TEST_F(ServiceTest, TheCheckThatWasStoppedIsTheBeginOfThePlan) {
+  Engine engine = stub_engine();
+  std::atomic<int> passes{0};
+  engine.parse = [&, parse = engine.parse](std::string_view body, Progress* progress) {
+    api::JobRequest request = parse(body, progress);
+    if (body != R"({"long":true})") return request;
+    if (++passes <= 2) return checked_for_ever(*progress, std::move(request));  // beside others, then in its turn
+    throw api::Problem("semantic-violation", "found late");
+  };
+  service = std::make_unique<Service>(options, std::move(engine));
+  client = std::make_unique<HttpClient>("http://" + service->address());
+  const json job = await(posted(R"({"long":true})"), "failed");
+  EXPECT_EQ(job["error"]["type"], "/problems/semantic-violation");
+  EXPECT_EQ(job["error"]["detail"], "found late");
+}
+
+TEST_F(ServiceTest, ACheckWithoutMemoryIsRefusedWithASentence) {
+  Engine engine = stub_engine();
+  engine.parse = [](std::string_view, Progress*) -> api::JobRequest { throw std::bad_alloc(); };
+  service = std::make_unique<Service>(options, std::move(engine));
+  client = std::make_unique<HttpClient>("http://" + service->address());
+  const Response answer = post("{}");
+  EXPECT_EQ(answer.status, 422);
+  EXPECT_EQ(json::parse(answer.body)["type"], "/problems/semantic-violation");
+  EXPECT_EQ(get("/readyz").status, 200);
+}
+
+TEST_F(ServiceTest, LongTextsAreSentInPiecesWithTheirLength) {
+  options.workers = 0;
+  start();
+  std::string text = "{\"n\":[";
+  while (text.size() < 1'000'000) text += std::to_string(text.size()) + ",";
+  text += "0]}";
+  const std::string spec = "/v1/jobs/" + posted(text) + "/spec";
+  const Response whole = get(spec);
+  EXPECT_EQ(whole.body, text);
+  EXPECT_EQ(whole.header("Content-Length"), std::to_string(text.size()));
+  const Response known = get(spec, {{"If-None-Match", *whole.header("ETag")}});
+  EXPECT_EQ(known.status, 304);
+  EXPECT_EQ(known.body, "");
+  EXPECT_EQ(known.header("ETag"), whole.header("ETag"));
 }
 
 TEST_F(ServiceTest, EndsWithoutADrain) {

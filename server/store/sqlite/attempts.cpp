@@ -10,7 +10,7 @@ namespace bahnwerk::server {
 std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
   std::optional<api::Job> job;
   std::string packed;
-  bool whole = true;
+  std::int64_t form = document_checked;
   std::optional<std::int64_t> leftovers;  // rows of an earlier attempt have to go before the next one stores its own
   writer_.run(
       [&](SqliteConnection& connection) {
@@ -45,7 +45,7 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
         spec << seq;
         if (!spec.step()) throw StoreError("store: a job without its spec", false);
         packed = spec.bytes(0);
-        whole = spec.integer(1) != 0;
+        form = spec.integer(1);
         changes_.note(change, job->id, api::JobState::running);
       },
       Writer::row);
@@ -54,7 +54,9 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
     }
     return claim(lease);
   }
-  if (job) job->request.document = unpack_document(job->request.kind, packed, whole);
+  if (!job) return job;
+  job->request.document = unpack_document(job->request.kind, packed, form != spec_alone);
+  job->request.checked = form != document_unchecked;
   return job;
 }
 

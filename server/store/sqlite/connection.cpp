@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <new>
 #include <thread>
 
+#include "server/runtime/memory.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
@@ -21,6 +23,10 @@ auto guarded(Work&& work) -> decltype(work()) {
   } catch (const SQLite::Exception& error) {
     if (error.getErrorCode() == SQLITE_BUSY || error.getErrorCode() == SQLITE_LOCKED)
       throw StoreError("another program has locked the store", false, true);
+    if (error.getErrorCode() == SQLITE_NOMEM || error.getExtendedErrorCode() == SQLITE_IOERR_NOMEM) {
+      open_memory_reserve();
+      throw std::bad_alloc();
+    }
     // The shared memory of the log is a file, too.
     const bool full = error.getErrorCode() == SQLITE_FULL || error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE;
     throw StoreError(full ? std::string("no space left for the store") : std::string("store: ") + error.what(), full);
@@ -152,6 +158,22 @@ Query SqliteConnection::query(std::string_view sql) {
 
 void SqliteConnection::execute(const char* sql) {
   guarded([&] { state_->database.exec(sql); });
+}
+
+std::string SqliteConnection::blob_part(BlobColumn column, std::int64_t row, std::size_t offset, std::size_t bytes) {
+  return guarded([&] {
+    sqlite3* const database = state_->database.getHandle();
+    sqlite3_blob* handle = nullptr;
+    const int opened = sqlite3_blob_open(database, "main", column.table, column.column, row, 0, &handle);
+    const std::unique_ptr<sqlite3_blob, decltype(&sqlite3_blob_close)> blob(handle, sqlite3_blob_close);
+    if (opened == SQLITE_ERROR) throw StoreError("the text is gone: the job was deleted", false);
+    std::string out(bytes, '\0');
+    const int read = opened != SQLITE_OK
+                         ? opened
+                         : sqlite3_blob_read(blob.get(), out.data(), static_cast<int>(bytes), static_cast<int>(offset));
+    if (read != SQLITE_OK) throw SQLite::Exception(database, read);
+    return out;
+  });
 }
 
 bool SqliteConnection::allocate(std::int64_t bytes) noexcept {

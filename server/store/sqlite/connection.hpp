@@ -47,6 +47,12 @@ class Query {
   int bound_ = 0;
 };
 
+/// A column of blobs in a table whose primary key is an integer.
+struct BlobColumn {
+  const char* table;
+  const char* column;
+};
+
 class SqliteConnection {
  public:
   /// Opens (and for a writer creates) the file: WAL, synchronous=FULL. A lock of another program is waited for 5 s.
@@ -60,6 +66,9 @@ class SqliteConnection {
   std::chrono::milliseconds patience(std::chrono::milliseconds patience);
   Query query(std::string_view sql);  ///< prepared once, then reused
   void execute(const char* sql);
+  /// Returns `bytes` bytes from `offset` on of the blob in row `row`, without reading the rest of it. Throws StoreError
+  /// if the row or the bytes do not exist.
+  std::string blob_part(BlobColumn column, std::int64_t row, std::size_t offset, std::size_t bytes);
   void rollback() noexcept;  ///< rolls back an open transaction, if any
   /// Allocates that many bytes of the file on the disk, in steps of 256 KiB, before they are needed; returns false when
   /// there is no room.

@@ -6,24 +6,9 @@
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/rows.hpp"
+#include "server/store/sqlite/unpacking.hpp"
 
 namespace bahnwerk::server {
-namespace {
-
-/// Damaged data reads as a failed store, with a sentence, not as a crash.
-template <class Work>
-auto unpacking(Work&& work) -> decltype(work()) {
-  try {
-    return work();
-  } catch (const StoreError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw StoreError(error.what(), false);
-  }
-}
-
-}  // namespace
-
 std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_document) {
   static const std::string light = std::string("SELECT ") + job_columns + " FROM jobs WHERE id = ?";
   static const std::string whole =
@@ -37,7 +22,8 @@ std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_docume
   api::Job job = job_from_row(row);
   if (with_document)
     job.request.document = unpacking([&] {
-      return unpack_document(job.request.kind, row.bytes(job_seq_column + 1), row.integer(job_seq_column + 2) != 0);
+      return unpack_document(job.request.kind, row.bytes(job_seq_column + 1),
+                             row.integer(job_seq_column + 2) != spec_alone);
     });
   else
     cache_.put(commits, job);
@@ -114,14 +100,6 @@ bool SqliteStore::cancel_requested(const std::string& id) {
   Query row = reader.query("SELECT cancel_requested FROM jobs WHERE id = ?");
   row << id;
   return row.step() && row.integer(0) != 0;
-}
-
-std::optional<std::string> SqliteStore::result(const std::string& id) {
-  Reader reader(*this);
-  Query row = reader.query("SELECT document FROM results JOIN jobs USING (seq) WHERE id = ?");
-  row << id;
-  if (!row.step()) return std::nullopt;
-  return unpacking([&] { return unpack_text(row.bytes(0)); });
 }
 
 std::optional<SeriesInfo> SqliteStore::series(const std::string& id) {

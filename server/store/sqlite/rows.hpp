@@ -16,8 +16,12 @@ inline constexpr int job_seq_column = 18;
 
 api::Job job_from_row(const Query& row);  ///< returns the job without its document
 
-/// Returns a row of `specs` as a job document; with `whole` false the row is of version 0.1 and contains the spec
-/// alone.
+/// Column `whole` of `specs`: a row of version 0.1 has the spec alone; later ones have the document as posted, which
+/// was checked then, or is still to be checked.
+inline constexpr std::int64_t spec_alone = 0, document_checked = 1, document_unchecked = 2;
+inline std::int64_t spec_form(bool checked) { return checked ? document_checked : document_unchecked; }
+
+/// Returns a row of `specs` as a job document; with `whole` false the row contains the spec alone.
 std::string unpack_document(const std::string& kind, std::string_view packed, bool whole);
 
 }  // namespace bahnwerk::server

@@ -54,6 +54,7 @@ void SqliteStore::insert(NewJob job, std::function<void(Inserted, std::exception
   const auto call = std::make_shared<Call>();
   call->packed = pack_text(job.request.document);
   call->job = std::move(job);
+  call->job.request.document = std::string();
   const Writer::Bytes adds = call->packed.size() + Writer::row;
   writer_.post(
       [this, call](SqliteConnection& connection) { call->outcome = insert_one(connection, call->job, call->packed); },
@@ -85,7 +86,8 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
   insert.step();
   const std::int64_t seq = insert.integer(0);
   insert.step();
-  (connection.query("INSERT INTO specs (seq, spec, whole) VALUES (?, ?, 1)") << seq).blob(packed_document).run();
+  Query spec = connection.query("INSERT INTO specs (seq, spec, whole) VALUES (?, ?, ?)");
+  ((spec << seq).blob(packed_document) << spec_form(r.checked)).run();
   if (keyed) {
     (connection.query("INSERT INTO idempotency_keys (key, body_hash, seq) VALUES (?, ?, ?)")
      << job.idempotency_key << job.body_hash << seq)

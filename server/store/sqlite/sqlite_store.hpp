@@ -57,13 +57,15 @@ class SqliteStore final : public Store {
   std::optional<api::Job> cancel(const std::string& id, std::int64_t now) override;
   bool cancel_requested(const std::string& id) override;
   Removed remove(const std::string& id) override;
-  std::optional<std::string> result(const std::string& id) override;
+  std::unique_ptr<StoredText> open_document(const std::string& id) override;
+  std::unique_ptr<StoredText> open_result(const std::string& id) override;
   std::optional<SeriesInfo> series(const std::string& id) override;
   void read_chunk(const SeriesInfo& series, std::size_t first_row, std::vector<double>& out) override;
   void checkpoint() override;
 
  private:
   class Reader;  ///< a borrowed reading connection
+  class Text;    ///< a text in a column
   static constexpr std::size_t max_expired_at_once =
       256;  ///< largest number of expired jobs per transaction, since others wait for it
   Inserted insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document);

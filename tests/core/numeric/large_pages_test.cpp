@@ -32,6 +32,15 @@ TEST(LargePages, FreedMemoryIsReused) {
   large_pages::give(third, bytes);
 }
 
+TEST(LargePages, GiveBackLeavesNothingKept) {
+  { const LargeVector<double> array(1'000'000); }
+  EXPECT_GE(large_pages::kept(), 8'000'000U);
+  large_pages::give_back();
+  EXPECT_EQ(large_pages::kept(), 0U);
+  const LargeVector<double> again(1'000'000, 3);
+  EXPECT_EQ(again.back(), 3);
+}
+
 TEST(LargePages, NoTwoTakersShareMemory) {
   const auto work = [](double id) {
     for (int round = 0; round < 50; ++round) {

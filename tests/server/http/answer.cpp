@@ -47,6 +47,36 @@ TEST(Answer, OnlyWhatPassesByItselfAsksToTryAgain) {
   EXPECT_EQ(thrown(api::Problem("too-many-jobs", "")).header("Retry-After"), "5");
 }
 
+TEST(Answer, MissingMemoryAsksToTryAgain) {
+  const Response answer = thrown(std::bad_alloc());
+  EXPECT_EQ(answer.status, 503);
+  EXPECT_EQ(json::parse(answer.body)["type"], "/problems/out-of-memory");
+  EXPECT_EQ(answer.header("Retry-After"), "10");
+}
+
+/// A text of pieces of 10 000 bytes.
+struct Pieces final : StoredText {
+  explicit Pieces(std::size_t n) : left(n), all(n) {}
+  std::size_t size() const override { return 10'000 * all; }
+  bool next(std::string& out) override {
+    if (left == 0) return false;
+    --left;
+    out.append(10'000, 'x');
+    return true;
+  }
+  std::size_t left, all;
+};
+
+TEST(Answer, AShortTextIsABodyALongOneAStreamOfKnownLength) {
+  EXPECT_EQ(text_answer("text/plain", std::make_unique<Pieces>(1)).body.size(), 10'000U);
+  const Response answer = text_answer("text/plain", std::make_unique<Pieces>(5));
+  EXPECT_EQ(answer.length, 50'000U);
+  std::string text;
+  while (answer.stream(text)) {
+  }
+  EXPECT_EQ(text.size(), 50'000U);
+}
+
 TEST(Answer, TextsOfUnknownExceptionsStayInside) {
   testing::internal::CaptureStderr();
   const Response unknown = thrown(std::runtime_error("password 1234")),

@@ -30,9 +30,10 @@ struct ProgressTest : testing::Test {
   std::vector<Progressed> kept;
   std::function<void()> done;
   bool keep_at_once = true;
+  std::optional<std::chrono::milliseconds> most;
 
   JobProgress make() {
-    return JobProgress(job, live,
+    return JobProgress(job, live, most,
                        {.publish = [this] { ++published; },
                         .keep =
                             [this](Progressed progress, std::function<void()> ready) {
@@ -62,6 +63,21 @@ TEST_F(ProgressTest, PublishesSeldomAndKeepsMoreSeldom) {
   EXPECT_EQ(seen.stage, "grid");
   EXPECT_GT(seen.fraction, 0.98);
   EXPECT_EQ(seen.revision, 10U + static_cast<unsigned>(published));
+}
+
+TEST_F(ProgressTest, NoBudgetExceedsThatOfTheServer) {
+  most = 600s;
+  for (const std::optional<double> own : {std::optional<double>(), std::optional(700.0), std::optional(50.0)}) {
+    job.request.time_budget = own;
+    JobProgress progress = make();
+    const auto allowed = own == 50.0 ? 50s : 600s;
+    now += allowed - 1ms;
+    EXPECT_NO_THROW(progress.report("grid", 0));
+    now += 1ms;
+    EXPECT_NO_THROW(progress.report("storing", 0)) << "storing is no planning";
+    EXPECT_THROW(progress.report("grid", 0), Stopped);
+    EXPECT_EQ(progress.stopped(), Stop::budget);
+  }
 }
 
 TEST_F(ProgressTest, NeverRunsBackwards) {

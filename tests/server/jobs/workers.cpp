@@ -1,12 +1,14 @@
 #include "server/jobs/workers.hpp"
 
 #include <cmath>
+#include <new>
 
 #include "../manual_time.hpp"
 #include "../store/fixture.hpp"
 #include "api/planned_job.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
+#include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -35,7 +37,10 @@ class Noise final : public SetpointSource {
 /// What lets a planner go on that waits for it.
 std::atomic<bool> latch{false};
 
-/// Plans what its spec names: {"do":"succeed"|"fail"|"crash"|"unverified"|"noise"|"loop"|"latch"}.
+/// Number of plans that need all memory and have begun; the first one with company finds none.
+std::atomic<int> greedy{0};
+
+/// Plans what its spec names: {"do":"succeed"|"fail"|"crash"|"unverified"|"noise"|"loop"|"latch"|"greedy"|"endless"}.
 api::PlannedJob stub(const std::string&, const std::string& spec, Progress& progress) {
   const std::string what = nlohmann::json::parse(spec).at("do");
   if (what == "fail") throw Infeasible("no motion");
@@ -50,6 +55,12 @@ api::PlannedJob stub(const std::string&, const std::string& spec, Progress& prog
     planned.setpoints = std::make_unique<Noise>();
     return planned;
   }
+  if (what == "endless") throw std::bad_alloc();
+  if (what == "greedy" && ++greedy == 1) {
+    latch = true;
+    throw std::bad_alloc();
+  }
+  if (what == "succeed") const LargeVector<double> array(100'000);
   while (what == "loop" || (what == "latch" && !latch)) {
     progress.report("loop", 0.5);
     std::this_thread::sleep_for(2ms);
@@ -122,6 +133,47 @@ TEST_F(WorkersTest, FailsForGood) {
   ASSERT_TRUE(store->result(unverified));
   EXPECT_EQ(nlohmann::json::parse(*store->result(unverified)), nlohmann::json(ramp_plan(3).result));
   EXPECT_FALSE(store->series(unverified));
+}
+
+TEST_F(WorkersTest, APlanForWhichMemoryIsMissingEndsAsBudgetExhausted) {
+  start(1);
+  const auto id = post("endless"), next = post("succeed");
+  await(id, JobState::failed);
+  EXPECT_EQ(problem(id), "/problems/budget-exhausted");
+  await(next, JobState::succeeded);
+}
+
+TEST_F(WorkersTest, MemoryThatNeighboursTakeEndsNoJob) {
+  latch = false;
+  greedy = 0;
+  start(2);
+  const auto neighbour = post("latch");
+  await(neighbour, JobState::running);
+  const auto id = post("greedy");
+  await(id, JobState::succeeded);
+  await(neighbour, JobState::succeeded);
+  EXPECT_EQ(greedy, 2) << "planned again, alone";
+  EXPECT_EQ(store->get(id)->attempt, 1);
+}
+
+TEST_F(WorkersTest, ReturnsTheMemoryOfPlansWhenIdle) {
+  start(2);
+  await(post("succeed"), JobState::succeeded);
+  EXPECT_TRUE(soon([] { return large_pages::kept() == 0; }));
+}
+
+TEST_F(WorkersTest, LimitsTheTimeOfEveryPlan) {
+  workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub, std::nullopt, time);
+  workers->limit_planning(600s);
+  workers->start(1);
+  const auto id = post("loop");
+  await(id, JobState::running);
+  EXPECT_TRUE(soon([&] { return live.size() == 1; }));
+  EXPECT_TRUE(soon([&] {
+    time.advance(600s);
+    return store->get(id)->state == JobState::failed;
+  }));
+  EXPECT_EQ(problem(id), "/problems/budget-exhausted");
 }
 
 TEST_F(WorkersTest, CancelsARunningJob) {

@@ -34,6 +34,18 @@ TEST(Context, WhatTheClientHasIsNotSentAgain) {
   EXPECT_EQ(other.header("ETag"), "\"a\"");
 }
 
+TEST(Context, WhatTheClientHasIsNotMade) {
+  bool made = false;
+  const auto make = [&] {
+    made = true;
+    return Response();
+  };
+  EXPECT_EQ(unless_known(asking("if-none-match", "\"a\""), "\"a\"", make).status, 304);
+  EXPECT_FALSE(made);
+  EXPECT_EQ(unless_known(asking("if-none-match", "\"b\""), "\"a\"", make).status, 200);
+  EXPECT_TRUE(made);
+}
+
 TEST(Context, OnlyJsonIsServedWhereNothingElseExists) {
   EXPECT_NO_THROW(require_json({}));
   EXPECT_NO_THROW(require_json(asking("accept", "text/html, application/*;q=0.5")));

@@ -69,5 +69,53 @@ TEST(PackText, ComesBack) {
   EXPECT_THROW(unpack_text("nonsense"), std::runtime_error);
 }
 
+std::string numbers(std::size_t bytes) {
+  std::string text;
+  for (std::size_t k = 0; text.size() < bytes; ++k) text += std::to_string(k * k) + ",";
+  text.resize(bytes);
+  return text;
+}
+
+TEST(PackText, LongTextsHaveFramesThatCanBeUnpackedAlone) {
+  for (const std::size_t size : {text_piece - 1, text_piece, text_piece + 1, 2 * text_piece, 10 * text_piece + 17}) {
+    const std::string text = numbers(size), packed = pack_text(text);
+    EXPECT_EQ(unpack_text(packed), text);
+    const std::size_t bytes = text_index_size(std::string_view(packed).substr(0, text_index_head));
+    EXPECT_EQ(bytes > 0, size > text_piece);
+    if (bytes == 0) continue;
+    const TextIndex index = text_index(std::string_view(packed).substr(0, bytes));
+    EXPECT_EQ(index.size, size);
+    std::string pieces;
+    for (const auto& [offset, length] : index.frames) {
+      const std::string piece = unpack_text(std::string_view(packed).substr(offset, length));
+      EXPECT_LE(piece.size(), text_piece);
+      pieces += piece;
+    }
+    EXPECT_EQ(pieces, text);
+  }
+}
+
+TEST(PackText, DamagedIndicesAreRefused) {
+  std::mt19937 random(3);
+  const std::string packed = pack_text(numbers(3 * text_piece));
+  for (std::size_t cut = 0; cut < 40; ++cut) EXPECT_THROW(unpack_text(packed.substr(0, cut)), std::runtime_error);
+  for (int i = 0; i < 300; ++i) {
+    std::string bad = packed;
+    bad[random() % 28] = static_cast<char>(random());
+    try {
+      unpack_text(bad);
+    } catch (const std::runtime_error&) {
+    } catch (const std::bad_alloc&) {
+    }
+  }
+}
+
+TEST(PackRows, TakesNoMoreMemoryThanItsResult) {
+  const std::vector<double> rest(4096 * 12, 10.0);
+  const std::string packed = pack_rows(rest.data(), 4096, 12);
+  EXPECT_LT(packed.size(), 1000U);
+  EXPECT_LT(packed.capacity(), 2000U);
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

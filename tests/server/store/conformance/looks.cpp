@@ -36,6 +36,55 @@ TYPED_TEST(Looks, PagesFromTheNewest) {
   EXPECT_TRUE(store->list(odd).empty());
 }
 
+TYPED_TEST(Looks, OpensTextsInPiecesThatAreGoneWithTheirJob) {
+  auto& store = this->here;
+  std::string long_text = "{\"n\":[";
+  while (long_text.size() < 500'000) long_text += std::to_string(long_text.size()) + ",";
+  long_text += "0]}";
+  for (const std::string& text : {std::string(R"({"n":1})"), long_text}) {
+    NewJob job = new_job();
+    job.request.document = text;
+    const std::string id = insert_id(*store, job);
+    EXPECT_EQ(store->open_result(id), nullptr);
+    const auto document = store->open_document(id);
+    ASSERT_TRUE(document);
+    EXPECT_EQ(document->size(), text.size());
+    std::string read;
+    std::size_t longest = 0;
+    for (std::string piece; document->next(piece); piece.clear()) {
+      longest = std::max(longest, piece.size());
+      read += piece;
+    }
+    EXPECT_EQ(read, text);
+    EXPECT_LE(longest, std::size_t{256} << 10);
+    EXPECT_EQ(store->get(id, true)->request.document, text);
+    EXPECT_EQ(claim(*store, 1)->request.document, text);
+    api::PlannedJob planned = ramp_plan(1);
+    planned.result["text"] = text;
+    ASSERT_TRUE(store->succeed(id, 1, planned, 2, 0, this->silent));
+    EXPECT_EQ(store->result(id), planned.result.dump());
+    const auto result = store->open_result(id);
+    store->remove(id);
+    std::string piece;
+    if (text.size() > 1000) {
+      EXPECT_THROW(result->next(piece), StoreError);
+    }
+    EXPECT_EQ(store->open_document(id), nullptr);
+  }
+}
+
+TYPED_TEST(Looks, RemembersWhetherADocumentWasChecked) {
+  auto& store = this->here;
+  NewJob job = new_job();
+  job.request.checked = false;
+  insert_id(*store, job);
+  insert_id(*store);
+  const auto unchecked = claim(*store, 1), checked = claim(*store, 1);
+  EXPECT_FALSE(unchecked->request.checked);
+  EXPECT_TRUE(checked->request.checked);
+  EXPECT_EQ(unchecked->request.document, checked->request.document);
+}
+
 TYPED_TEST(Looks, CountsTheJobsOfEveryState) {
   auto& store = this->here;
   const auto expect = [&](std::size_t queued, std::size_t running, std::size_t succeeded, std::size_t failed,
