@@ -31,7 +31,7 @@ struct JerkLimitedOptions {
   Limits path;              ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite by default
   double gap = 1e-4;        ///< loss of duration to the solver, relative
   double tolerance = 1e-4;  ///< loss of duration to the grid, relative, estimated; 6 times as much through kinematics
-  double angle = 0.04;      ///< largest turn of a cell, rad; 5 times as much through kinematics
+  double angle = 0.02;      ///< largest turn of a cell, rad; 5 times as much through kinematics
   /// Number of cells, before division, that are planned at once in longer sections; half of it through kinematics. 0
   /// plans every section as a whole.
   std::size_t window = 2400;
