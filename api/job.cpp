@@ -84,6 +84,7 @@ void check_meaning(const json& document, const Kind& kind, Progress& progress) {
                       "is not available in this version: leave it out or null, and wait for the job with "
                       "Prefer: wait or its events"});
   try {
+    progress.report("read", 0);
     kind.check(document["spec"], progress);
   } catch (const Stopped&) {
     if (errors.empty()) throw;
@@ -129,7 +130,6 @@ JobRequest parse_job(std::string_view body, Progress* progress) {
     asked.report("read", 0);
     if (kind && document.contains("spec") && document["spec"].is_object())
       for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
-    asked.report("read", 0);
     if (errors.empty()) check_meaning(document, *kind, asked);
   } catch (const Stopped&) {
     request.checked = false;

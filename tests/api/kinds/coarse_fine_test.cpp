@@ -296,7 +296,8 @@ TEST(CoarseFine, TheTravelOfCoarseAxesIsHeld) {
   spec["machine"]["coarse"]["x"]["range"] = {60, 0};
   const auto refused = [&] {
     try {
-      find_kind("contour")->check(spec);
+      SilentProgress silent;
+      find_kind("contour")->check(spec, silent);
     } catch (const Problem& problem) {
       return test::pointers(problem);
     }

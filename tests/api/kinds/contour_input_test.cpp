@@ -9,6 +9,7 @@
 #include "api/kinds/contour/contour.hpp"
 #include "api/text/base64.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api::contour {
@@ -177,7 +178,8 @@ TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
   json spec = example("points");
   for (int i = 1; i < 4; ++i) spec["contour"]["points"][i].push_back(0);
   try {
-    find_kind("contour")->check(spec);
+    SilentProgress silent;
+    find_kind("contour")->check(spec, silent);
     FAIL();
   } catch (const Problem& problem) {
     EXPECT_EQ(test::pointers(problem),
