@@ -72,9 +72,9 @@ TEST(Rows, PointsWithinPointToleranceOfAStraightArePassedByIt) {
 }
 
 TEST(Rows, PointsThatAreOneLeaveLessOfTheTolerance) {
-  // The second given point counts as the first of three and is 3 µm off it: a straight 2 µm off on the other side would
-  // be 5 µm from it.
-  const ProbeProblem p = noisy({{0, 0}, {5, 0.002}, {5, 0.005}, {10, 0}}, 0.004);
+  // The third given point counts as the second one, 0.9 µm from it: the straight between the ends is 3.3 µm from that
+  // one, within the tolerance, and 4.2 µm from the third.
+  const ProbeProblem p = noisy({{0, 0}, {5, 0.0033}, {5, 0.0042}, {10, 0}}, 0.004);
   ASSERT_EQ(p.points.size(), 3u);
   SilentProgress silent;
   for (const ProbeMotion& plan : {plan_arcs(p, silent), plan_spline(p, silent)}) probe_cases::expect_right(p, plan);
