@@ -171,4 +171,11 @@ Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& need
   });
 }
 
+double clearance_up_to(double enough, std::span<const BezierPiece> pieces, const NeedleShape& needle,
+                       const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress) {
+  check(needle, tolerance);
+  ClearanceSearch<PieceInterval> search(needle, obstacles, tolerance, progress, enough);
+  return search.over(pieces.size(), [&](std::size_t n) { return PieceInterval(pieces[n]); }).minimum;
+}
+
 }  // namespace bahnwerk::winding

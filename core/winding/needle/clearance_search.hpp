@@ -37,14 +37,15 @@ struct Reach {
 template <class PathInterval>
 class ClearanceSearch {
  public:
+  /// Clearances above `enough` are not distinguished from it.
   ClearanceSearch(const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles, double tolerance,
-                  Progress& progress)
+                  Progress& progress, double enough = std::numeric_limits<double>::infinity())
       : radius_(needle.width / 2),
         length_(needle.length),
         tolerance_(tolerance),
         obstacles_(obstacles),
         progress_(progress) {
-    best_.minimum = std::numeric_limits<double>::infinity();
+    best_.minimum = enough;
   }
 
   /// `whole(n)` returns piece n as an interval.

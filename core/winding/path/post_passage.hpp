@@ -40,10 +40,10 @@ class PostPassage {
   /// Returns the value that both clearances have to reach, mm: the required one plus the possible difference of two
   /// proofs.
   double enough() const { return clearance_ + 2 * tolerance; }
-  /// Returns the least distance of the needle along these pieces from the posts of this coil, mm, proven to 0.001. 0.1
-  /// ms.
+  /// Returns the least distance of the needle along these pieces from the posts of this coil, mm, proven to 0.001, or
+  /// enough() if the distance is larger. 0.1 ms.
   double from_posts(std::size_t coil, std::span<const BezierPiece> pieces, Progress& progress) const;
-  /// Returns the least distance from its posts and from the stack.
+  /// Returns the least distance from its posts and from the stack, enough() at most.
   double from_all(std::size_t coil, std::span<const BezierPiece> pieces, Progress& progress) const;
 
   /// Number of places beside the post that are tried, those nearest to the slot's radius first.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -233,6 +234,24 @@ TEST(Clearance, AShortDipOfAPieceIsFound) {
     least = std::min(least, post.distance({p[0], p[1], p[2] + 1}) - 1);
   }
   EXPECT_NEAR(c.minimum, least, 2e-5);
+}
+
+TEST(Clearance, UpToAValueIsTheLeastClearanceOrThatValue) {
+  const Block post(0, 10, 12, -1, 1, 0, 20);
+  Random random(46);
+  for (int n = 0; n < 200; ++n) {
+    const auto pose = [&](double low) {
+      return SplinePoint{random.uniform(low, 16), random.uniform(-6, 6), random.uniform(0, 30), random.uniform(0, pi),
+                         random.uniform(0, pi / 2)};
+    };
+    const std::vector<BezierPiece> pieces{BezierPiece::line(pose(4), pose(4))};
+    const double least = clearance(pieces, {2, 30}, {&post}, 1e-3, silent).minimum;
+    for (const double enough : {least - 1, least - 2e-3, least + 2e-3, least + 1}) {
+      const double found = clearance_up_to(enough, pieces, {2, 30}, {&post}, 1e-3, silent);
+      EXPECT_NEAR(found, std::min(least, enough), 1e-3 + 1e-9);
+      EXPECT_LE(found, enough);
+    }
+  }
 }
 
 TEST(Clearance, IsInfiniteWithoutPieces) {
