@@ -110,6 +110,12 @@ TEST(Optimal, DensePointsOfAnArcCostNothingWithNoiseOrWithout) {
             << n << " " << share << " " << point_tolerance;
 }
 
+TEST(Optimal, NoiseOfManySpacingsCostsNothingWhereItIsBelowThePointTolerance) {
+  const double sparse = optimal(dense(false, 33, 0, 1e-6)).duration();
+  for (const int n : {101, 401, 3000})
+    EXPECT_LT(optimal(dense(false, n, 0.9 * 3e-3, 3e-3)).duration(), 1.01 * sparse) << n;
+}
+
 TEST(Optimal, DensePointsOfAStraightCostNothingWithNoiseOrWithout) {
   for (const int n : {11, 401, 3000})
     for (const double share : {0.0, 0.9}) {
@@ -134,7 +140,7 @@ TEST(Optimal, ThreePointsHaveNoRippleAndTheSearchEnds) {
 }
 
 TEST(Optimal, MoreTimeLeavesNoMoreRipple) {
-  ProbeProblem p = problem({{0, 0}, {4, 0}, {4, 3}, {7, 3}}, 0.2);
+  ProbeProblem p = problem({{0, 0}, {0.4, 0}, {0.4, 0.3}, {0.7, 0.3}}, 0.02);
   p.objective = ProbeObjective::ripple;
   double before = 1e9;
   for (const double stretch : {2.0, 12.0}) {
