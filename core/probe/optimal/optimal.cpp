@@ -85,7 +85,7 @@ std::vector<std::size_t> set_times(const ProbeProblem& problem, const std::vecto
 template <int D>
 ProbeMotion in_tube(const ProbeProblem& problem, const Report& report) {
   constexpr int rounds = 8;
-  PointChoice choice(problem);
+  PointChoice choice(problem, [&] { report(0); });
   for (int round = 0;; ++round) {
     if (round == rounds) choice.choose_all();
     const ChosenPoints chosen = choice.chosen();

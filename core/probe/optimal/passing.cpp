@@ -105,31 +105,49 @@ class PointFinder {
 
 Passing pass_points(const ProbeProblem& problem, const SplineMotion& motion, const std::vector<std::size_t>& chosen,
                     const std::vector<double>& times) {
+  const std::vector<Vec>& points = problem.points;
+  const std::size_t n = points.size(), edges = chosen.size() - 1;
   PointFinder finder(problem, motion);
+  // Each point is passed from `earliest` to `latest`.
+  std::vector<double> earliest(n, 0.0), latest(n, motion.duration());
+  std::vector<char> open(edges, 0);
   Passing out;
-  out.times.assign(problem.points.size(), 0.0);
-  for (std::size_t c = 0; c + 1 < chosen.size(); ++c) {
-    const std::size_t from = chosen[c], to = chosen[c + 1];
-    out.times[from] = times[c], out.times[to] = times[c + 1];
-    std::vector<double> latest(to - from + 1, times[c + 1]), earliest(to - from + 1, times[c]);
-    for (std::size_t i = from + 1; i < to; ++i) {
-      out.times[i] = finder.nearest(i, times[c], times[c + 1]);
-      if (!finder.passed(i, out.times[i])) continue;
-      earliest[i - from] = finder.entered(i, times[c], out.times[i]);
-      latest[i - from] = finder.left(i, out.times[i], times[c + 1]);
+  out.times.assign(n, 0.0);
+  for (std::size_t c = 0, i = 0; c < edges; ++c) {
+    // Points may be out of order by as much as the tolerances about two of them overlap.
+    const auto far = [&](std::size_t a, std::size_t b) {
+      return norm(points[chosen[a]] - points[chosen[b]]) > 2 * problem.point_tolerance;
+    };
+    std::size_t from = c, to = c + 1;
+    if (chosen[to] > chosen[from] + 1) {
+      while (from > 0 && !far(from, c)) --from;
+      while (to < edges && !far(c + 1, to)) ++to;
     }
-    for (std::size_t i = to - from; i-- > 1;) latest[i] = std::min(latest[i], latest[i + 1]);
-    // A chosen point may have been moved for the points beside it.
-    bool open = to > from + 1 && ((from > 0 && !finder.passed(from, times[c])) ||
-                                  (to + 1 < problem.points.size() && !finder.passed(to, times[c + 1])));
-    for (std::size_t i = from + 1; i < to; ++i) {
+    for (; i < chosen[c + 1] + (c + 1 == edges); ++i) {
+      const bool known = i == chosen[c] || i == chosen[c + 1];
       double& t = out.times[i];
-      t = std::max({std::min(t, latest[i - from]), earliest[i - from], out.times[i - 1]});
-      t = std::min(t, times[c + 1]);
-      open = open || !finder.passed(i, t);
+      t = known ? times[i == chosen[c] ? c : c + 1] : finder.nearest(i, times[from], times[to]);
+      if (i == 0 || i + 1 == n) {
+        earliest[i] = latest[i] = t;
+      } else if (finder.passed(i, t)) {
+        earliest[i] = finder.entered(i, times[from], t);
+        latest[i] = finder.left(i, t, times[to]);
+      } else {
+        open[c] = 1;
+      }
     }
-    for (std::size_t e = from; e < to && !open; ++e) open = !finder.in_tube(e, out.times[e], out.times[e + 1]);
-    if (open) out.open.push_back(c);
+  }
+  for (std::size_t i = n - 1; i-- > 0;) latest[i] = std::min(latest[i], latest[i + 1]);
+  for (std::size_t c = 0, i = 0; c < edges; ++c)
+    for (; i < chosen[c + 1] + (c + 1 == edges); ++i) {
+      double& t = out.times[i];
+      t = std::max({std::min(t, latest[i]), earliest[i], i > 0 ? out.times[i - 1] : 0});
+      if (i > 0 && i + 1 < n && !finder.passed(i, t)) open[c] = 1;
+    }
+  for (std::size_t c = 0; c < edges; ++c) {
+    for (std::size_t e = chosen[c]; e < chosen[c + 1] && !open[c]; ++e)
+      open[c] = !finder.in_tube(e, out.times[e], out.times[e + 1]);
+    if (open[c]) out.open.push_back(c);
   }
   return out;
 }

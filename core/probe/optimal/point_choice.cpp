@@ -41,41 +41,39 @@ std::vector<double> lengths(const ProbeProblem& problem) {
 
 }  // namespace
 
-PointChoice::PointChoice(const ProbeProblem& problem)
+PointChoice::PointChoice(const ProbeProblem& problem, std::function<void()> report)
     : problem_(problem),
+      report_(std::move(report)),
       first_(problem.points.size() + 1, problem.given.size()),
       along_(lengths(problem)),
-      time_(problem.points.size()),
+      time_(problem.given.size()),
+      own_(problem.points.size(), 0),
       chosen_(problem.points.size(), 0) {
+  constexpr double far = 1.5, very_far = 8;  // steps
   const std::size_t n = problem.points.size();
   for (std::size_t g = problem.given.size(); g-- > 0;) first_[problem.point_of[g]] = g;
 
   const ProfileLimits limits = least_limits(problem);
-  const Profile profile = straight_profile(along_.back(), 0, 0, limits);
-  for (std::size_t i = 0; i < n; ++i)
-    time_[i] = probe::time_at(profile, along_[i + 1 < n ? first_[i] : along_.size() - 1]);
+  profile_ = straight_profile(along_.back(), 0, 0, limits);
+  for (std::size_t g = 0; g < along_.size(); ++g) time_[g] = probe::time_at(profile_, along_[g]);
   const double step = std::pow(100 * problem.point_tolerance / limits.snap, 0.25);
-  const double steps = std::ceil(profile.duration / step);
+  const double steps = std::ceil(profile_.duration / step);
   if (steps < static_cast<double>(n)) {
-    // The points nearest to equidistant times, and all where points are farther apart. The curve has fewer knots, for
-    // noise to be averaged.
-    knot_ = chosen_;
-    std::size_t i = 0;
-    for (double k = 0; k <= steps; ++k) {
-      const double t = k / steps * profile.duration;
-      while (i + 1 < n && std::abs(time_[i + 1] - t) < std::abs(time_[i] - t)) ++i;
-      chosen_[i] = 1;
-      if (std::fmod(std::min(k, steps - k), 4) == 0) knot_[i] = 1;
+    for (double k = 0; k <= steps; ++k) knots_.push_back(k / steps * profile_.duration);
+    // Points far from both neighbours, or very far from one, stay where they are.
+    own_.front() = own_.back() = 1;
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const double before = (time(i) - time(i - 1)) / step, behind = (time(i + 1) - time(i)) / step;
+      own_[i] = std::min(before, behind) > far || std::max(before, behind) > very_far;
     }
-    chosen_.front() = chosen_.back() = knot_.front() = knot_.back() = 1;
-    const std::vector<std::size_t> index = listed(chosen_);
-    for (std::size_t c = 0; c + 1 < index.size(); ++c)
-      if (time_[index[c + 1]] - time_[index[c]] > 1.5 * step)
-        for (i = index[c]; i <= index[c + 1]; ++i) chosen_[i] = knot_[i] = 1;
   } else {
-    knot_.assign(n, 1);
+    own_.assign(n, 1);
   }
   fit();
+}
+
+double PointChoice::time(std::size_t point) const {
+  return time_[point + 1 < own_.size() ? first_[point] : time_.size() - 1];
 }
 
 PointChoice::Place PointChoice::place(std::size_t point, Vec at) const {
@@ -92,53 +90,57 @@ std::vector<std::size_t> PointChoice::listed(const std::vector<char>& list) cons
   return index;
 }
 
-void PointChoice::choose_between(std::size_t from, std::size_t to, std::vector<char>& list) {
-  // The point nearest to the middle; one that is chosen already if there is one, for no two to be close together.
-  const double middle = (time_[from] + time_[to]) / 2;
-  std::size_t best = to;
-  const auto before = [&](std::size_t a, std::size_t b) {
-    if (chosen_[a] != chosen_[b]) return chosen_[a] > chosen_[b];
-    return std::abs(time_[a] - middle) < std::abs(time_[b] - middle);
-  };
-  for (std::size_t i = from + 1; i < to; ++i)
-    if (best == to || before(i, best)) best = i;
-  if (best < to) list[best] = 1;
+void PointChoice::split(const std::vector<std::size_t>& open) {
+  for (std::size_t e : open) {
+    // The point nearest to the middle of the edge.
+    const std::size_t from = last_[e], to = last_[e + 1];
+    const double middle = (time(from) + time(to)) / 2;
+    std::size_t best = to;
+    for (std::size_t i = from + 1; i < to; ++i)
+      if (best == to || std::abs(time(i) - middle) < std::abs(time(best) - middle)) best = i;
+    if (best < to) chosen_[best] = 1;
+  }
 }
 
 void PointChoice::choose_all() {
-  knot_.assign(problem_.points.size(), 1);
+  own_.assign(problem_.points.size(), 1);
   fit();
 }
 
-void PointChoice::split(const std::vector<std::size_t>& open) {
-  for (std::size_t e : open) choose_between(last_[e], last_[e + 1], chosen_);
-}
-
-/// Fits curves to all sections between the knots of which there are other points.
+/// Fits curves to all sections between points that stay where they are, and chooses points.
 void PointChoice::fit() {
+  const std::size_t n = own_.size();
   for (bool near = false; !near;) {
     near = true;
     places_.clear();
-    for (std::size_t i = 0; i < knot_.size(); ++i) places_.push_back(place(i, problem_.points[i]));
-    fitted_.assign(knot_.size(), 0);
-    const std::vector<std::size_t> index = listed(knot_);
-    for (std::size_t c = 0; c + 1 < index.size();) {
-      std::size_t end = c;
-      while (end + 1 < index.size() && index[end + 1] - index[end] > 1) ++end;
-      if (end > c) near = fit(index[c], index[end]) && near;
-      c = std::max(end, c + 1);
-    }
+    for (std::size_t i = 0; i < n; ++i) places_.push_back(place(i, problem_.points[i]));
+    fitted_.assign(n, 0);
+    const std::vector<std::size_t> index = listed(own_);
+    for (std::size_t c = 0; c + 1 < index.size(); ++c)
+      if (index[c + 1] - index[c] > 1) near = fit(index[c], index[c + 1]) && near;
   }
-  for (std::size_t i = 0; i < chosen_.size(); ++i) chosen_[i] = chosen_[i] || knot_[i];
+  // Points stay chosen that are; others are added at most a step apart, where there are such, and no nearer than a
+  // third of it.
+  std::size_t last = 0, k = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    while (k + 2 < knots_.size() && knots_[k + 1] <= time(i)) ++k;
+    const double step = knots_.empty() ? 0 : knots_[k + 1] - knots_[k];
+    if (!own_[i] && !chosen_[i] && time(i + 1) - time(last) <= 1.0001 * step) continue;
+    if (!own_[last] && !own_[i] && time(i) - time(last) < step / 3) chosen_[last] = 0;
+    chosen_[i] = 1;
+    last = i;
+  }
+  chosen_.front() = 1;
 }
 
 /// Fits a curve to the section from point `from` to point `to`; returns whether it is near enough to all given points.
-/// Otherwise it has more knots next time.
+/// Otherwise it has more knots next time, or points stay where they are.
 bool PointChoice::fit(std::size_t from, std::size_t to) {
-  constexpr double near_enough = 0.97, small = 0.05;
+  constexpr double near_enough = 0.97;
+  report_();
   std::vector<Vec> points;
   std::vector<double> along;
-  std::vector<std::size_t> knots, first;  // per point from `from` on: its first point of the fit
+  std::vector<std::size_t> first;  // per point from `from` on: its first point of the fit
   for (std::size_t i = from; i <= to; ++i) {
     first.push_back(points.size());
     // The curve goes through the ends themselves, whatever else counts as them.
@@ -147,30 +149,38 @@ bool PointChoice::fit(std::size_t from, std::size_t to) {
       points.push_back(problem_.given[g]);
       along.push_back(along_[g]);
     }
-    if (knot_[i]) knots.push_back(i == to ? points.size() - 1 : first.back());
   }
   first.push_back(points.size());
-  const PointFit fit =
-      fit_points(points, std::move(along), problem_.point_tolerance, knots, from == 0, to == problem_.edges());
-  bool near = true;
-  std::size_t last = from;
-  for (std::size_t i = from + 1; i <= to; ++i) {
-    if (!knot_[i]) continue;
-    double most = 0, squares = 0, neighbours = 0;
-    for (std::size_t p = first[last - from]; p < first[i - from + 1]; ++p) {
-      most = std::max(most, norm(fit.off[p]));
-      squares += dot(fit.off[p], fit.off[p]);
-      if (p > first[last - from]) neighbours += dot(fit.off[p - 1], fit.off[p]);
-    }
-    // Noise differs from point to point; what neighbours have in common is the shape of the path.
-    const bool shape = most > small * problem_.point_tolerance && neighbours > 0.5 * squares;
-    if (most > near_enough * problem_.point_tolerance || shape) {
-      near = false;
-      choose_between(last, i, knot_);
-    }
-    last = i;
+  // The knots of the section, as times and as lengths.
+  std::vector<double> knots{time(from)}, places{along.front()};
+  const double least = 1e-9 * along.back();
+  for (double knot : knots_) {
+    const double length = profile_.sample(knot).s;
+    if (!(length > places.back() + least && length < along.back() - least)) continue;
+    knots.push_back(knot);
+    places.push_back(length);
   }
-  for (std::size_t i = from; near && i <= to; ++i) {
+  knots.push_back(time(to));
+  places.push_back(along.back());
+  const PointFit fit =
+      fit_points(points, std::move(along), problem_.point_tolerance, places, from == 0, to == problem_.edges());
+
+  bool near = true;
+  std::size_t i = from;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    const std::size_t begin = i;
+    double most = 0;
+    for (; i <= to && (time(i) < knots[k + 1] || k + 2 == knots.size()); ++i)
+      for (std::size_t p = first[i - from]; p < first[i - from + 1]; ++p) most = std::max(most, norm(fit.off[p]));
+    if (most <= near_enough * problem_.point_tolerance) continue;
+    near = false;
+    if (i - begin > 3)
+      knots_.push_back((knots[k] + knots[k + 1]) / 2);
+    else
+      for (std::size_t o = std::max(begin, from + 1) - 1; o <= std::min(i, to); ++o) own_[o] = 1;
+  }
+  std::sort(knots_.begin(), knots_.end());
+  for (i = from; near && i <= to; ++i) {
     places_[i] = place(i, (fit.at[first[i - from]] + fit.at[first[i - from + 1] - 1]) / 2);
     fitted_[i] = 1;
   }

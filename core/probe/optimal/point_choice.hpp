@@ -9,8 +9,10 @@
 /// point_fit.hpp); a motion through them is tried on all points (core/probe/optimal/passing.hpp). Where it misses one,
 /// split() chooses more.
 #include <cstddef>
+#include <functional>
 #include <vector>
 
+#include "core/motion/profile/profile.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
@@ -24,9 +26,11 @@ struct ChosenPoints {
 
 class PointChoice {
  public:
-  explicit PointChoice(const ProbeProblem& problem);
+  /// `report` is called before each fit of a curve and may throw.
+  explicit PointChoice(
+      const ProbeProblem& problem, std::function<void()> report = [] {});
 
-  /// Returns the chosen points; chooses more where no smooth curve through them is near enough to the others.
+  /// Returns the chosen points.
   ChosenPoints chosen();
   /// Chooses one point more between the chosen points of each edge of `open`, an edge of the last chosen().
   void split(const std::vector<std::size_t>& open);
@@ -39,19 +43,22 @@ class PointChoice {
     double room = 0;  // distance from there that point_tolerance leaves to all given points of the point, mm
   };
   Place place(std::size_t point, Vec at) const;
-  void choose_between(std::size_t from, std::size_t to, std::vector<char>& list);
+  double time(std::size_t point) const;
   std::vector<std::size_t> listed(const std::vector<char>& list) const;
   void fit();
   bool fit(std::size_t from, std::size_t to);
 
   const ProbeProblem& problem_;
+  std::function<void()> report_;
   std::vector<std::size_t> first_;  // the first given point of each point
   std::vector<Place> places_;       // the points' own places, or those on the smooth curve
   std::vector<char> fitted_;        // the point's place is on the smooth curve
+  Profile profile_;                 // of the quickest straight as long as the polyline
   std::vector<double> along_;       // mm, of each given point, about
-  std::vector<double> time_;        // s, about
-  std::vector<char> knot_;          // the smooth curve has a knot there
-  std::vector<char> chosen_;        // all knots, and more
+  std::vector<double> time_;        // s, of each given point, about
+  std::vector<double> knots_;       // s, of the smooth curve
+  std::vector<char> own_;           // the point stays at its own place
+  std::vector<char> chosen_;        // these points, points about a step apart, and more
   std::vector<std::size_t> last_;   // what chosen() returned
 };
 

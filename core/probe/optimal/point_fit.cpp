@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace bahnwerk {
 namespace {
 
 constexpr std::size_t degree = 5;
 using BasisRow = std::array<double, degree + 1>;
+using DerivativeRow = std::array<double, degree>;
 
 class FitSpline {
  public:
@@ -19,7 +21,34 @@ class FitSpline {
     c_.resize(knots.size() + degree - 1);
   }
   std::size_t size() const { return c_.size(); }
-  Vec& coefficient(std::size_t i) { return c_[i]; }
+  void set(std::vector<Vec> coefficients) { c_ = std::move(coefficients); }
+
+  struct State {
+    Vec x, v;
+  };
+  State at(double u) const {
+    BasisRow value, slope;
+    const std::size_t first = basis(u, value, slope);
+    State out;
+    for (std::size_t k = 0; k <= degree; ++k) out.x += value[k] * c_[first + k], out.v += slope[k] * c_[first + k];
+    return out;
+  }
+
+  /// The coefficients of c_i … c_(i+order) in coefficient i of derivative `order`, order ≤ 4, times the power `order`
+  /// of the distance of the knots there. Those of derivative 4 are its values at the knots.
+  DerivativeRow derivative(std::size_t i, std::size_t order) const {
+    std::array<DerivativeRow, 5> row{};
+    for (std::size_t k = 0; k <= order; ++k) row[k][k] = 1;
+    for (std::size_t r = 1; r <= order; ++r)
+      for (std::size_t k = 0; k + r <= order; ++k)
+        for (std::size_t d = 0; d <= order; ++d)
+          row[k][d] = (row[k + 1][d] - row[k][d]) * static_cast<double>(degree + 1 - r) /
+                      (t_[i + k + degree + 1] - t_[i + k + r]);
+    const std::size_t from = std::max(i + 4, degree), to = std::min(i + 6, t_.size() - 1 - degree);
+    const double distance = (t_[to] - t_[from]) / static_cast<double>(to - from);
+    for (double& d : row[0]) d *= std::pow(distance, order);
+    return row[0];
+  }
 
   /// The basis functions that are not 0 at u, and their slopes; returns the index of the first [de Boor].
   std::size_t basis(double u, BasisRow& value, BasisRow& slope) const {
@@ -87,55 +116,47 @@ class NormalEquations {
 }  // namespace
 
 PointFit fit_points(const std::vector<Vec>& points, std::vector<double> u, double radius,
-                    const std::vector<std::size_t>& knots, bool begin_given, bool end_given) {
-  constexpr int rounds = 16, first_rounds = 3;  // parameters settle in the first ones
-  constexpr double near_enough = 0.1, least_weight = 1e-2, given_weight = 1e6, smoothing = 1e-8;
+                    const std::vector<double>& knots, bool begin_given, bool end_given) {
+  constexpr int rounds = 20, first_rounds = 3;  // parameters settle in the first ones
+  constexpr double largest_power = 100, growth = 1.5, near = 0.95;
+  constexpr double least_weight = 1e-3, largest_weight = 1e6, given_weight = 1e6, snap = 1e-5, acceleration = 1e-8;
   const std::size_t n = points.size();
-  std::vector<double> weight(n, 1.0), knot;
-  for (std::size_t k : knots) knot.push_back(u[k]);
-  FitSpline spline(knot);
-  PointFit fit{std::vector<Vec>(n), std::vector<Vec>(n)}, best;
-  double least = 0;
-  BasisRow value, slope;
+  FitSpline spline(knots);
+  PointFit fit{std::vector<Vec>(n, points.front()), points}, best;
+  for (Vec& off : fit.off) off = off - points.front();
+  double least = 0, power = 2;
   for (int round = 0; round < rounds; ++round) {
     NormalEquations equations(spline.size());
+    BasisRow value, slope;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t first = spline.basis(u[i], value, slope);
       const bool given = (i == 0 && begin_given) || (i + 1 == n && end_given);
-      equations.add(first, value, given ? given_weight : weight[i], points[i] - points.front());
+      const Vec x = fit.at[i] - points.front();
+      if (given) {
+        equations.add(first, value, given_weight, points[i] - points.front());
+      } else {
+        const double weight =
+            std::clamp(std::pow(norm(fit.off[i]) / (near * radius), power - 2), least_weight, largest_weight);
+        equations.add(first, value, (power - 1) * weight, x + fit.off[i] / (power - 1));
+      }
     }
-    // Where points do not determine the curve it is as straight as may be.
-    for (std::size_t i = 0; i + 3 < spline.size(); ++i)
-      equations.add(i, std::array<double, 4>{-1, 3, -3, 1}, smoothing, {});
-    const std::vector<Vec> c = equations.solve();
-    for (std::size_t i = 0; i < spline.size(); ++i) spline.coefficient(i) = c[i];
+    for (std::size_t i = 0; i + 4 < spline.size(); ++i) equations.add(i, spline.derivative(i, 4), snap, {});
+    for (std::size_t i = 0; i + 4 < spline.size(); ++i) equations.add(i, spline.derivative(i, 2), acceleration, {});
+    spline.set(equations.solve());
     double largest = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t first = spline.basis(u[i], value, slope);
-      Vec x, v;
-      for (std::size_t k = 0; k <= degree; ++k)
-        x += value[k] * spline.coefficient(first + k), v += slope[k] * spline.coefficient(first + k);
+      const auto [x, v] = spline.at(u[i]);
       const Vec off = points[i] - points.front() - x;
-      const double v2 = dot(v, v), along = v2 > 0 ? dot(off, v) / v2 : 0;
-      fit.at[i] = points.front() + x;
-      fit.off[i] = off - along * v;
+      const double v2 = dot(v, v), step = (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1);
+      const double along = v2 > 0 ? std::clamp(dot(off, v) / v2, -step / 2, step / 2) : 0;
+      fit.at[i] = points.front() + x + along * v;
+      fit.off[i] = v2 > 0 ? off - dot(off, v) / v2 * v : off;
       largest = std::max(largest, norm(fit.off[i]));
       if (i > 0 && i + 1 < n) u[i] = std::clamp(u[i] + along, u.front(), u.back());
     }
     if (round + 1 < first_rounds) continue;
     if (best.at.empty() || largest < least) best = fit, least = largest;
-    if (least <= near_enough * radius) break;
-    for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-      double most = 0;
-      for (std::size_t i = knots[k]; i <= knots[k + 1]; ++i) most = std::max(most, norm(fit.off[i]));
-      double heaviest = 0;
-      for (std::size_t i = knots[k] + (k > 0); i <= knots[k + 1]; ++i) {
-        weight[i] *= most > 0 ? least_weight + norm(fit.off[i]) / most : 1;
-        heaviest = std::max(heaviest, weight[i]);
-      }
-      for (std::size_t i = knots[k] + (k > 0); i <= knots[k + 1]; ++i)
-        weight[i] = std::max(weight[i] / heaviest, least_weight);
-    }
+    if (largest < 2 * radius) power = std::min(growth * power, largest_power);
   }
   if (begin_given) best.at.front() = points.front();
   if (end_given) best.at.back() = points.back();

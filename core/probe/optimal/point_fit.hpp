@@ -1,5 +1,5 @@
 #pragma once
-/// A smooth curve near a row of points: a spline of least largest distance.
+/// A smooth curve near a row of points: a smoothing spline within a distance.
 #include <cstddef>
 #include <vector>
 
@@ -12,12 +12,13 @@ struct PointFit {
   std::vector<Vec> off;  ///< from the curve to the point, across the curve, mm
 };
 
-/// Fits a spline of degree 5, four times continuously differentiable, with knots at the points `knots` (indices into
-/// `points`, ascending, the first and the last point among them), by weighted least squares. Weights are multiplied by
-/// the distances that they leave [Lawson 1961], and parameters, `along` at first, are moved to where the curve is
-/// nearest to the point, until the largest distance is a tenth of `radius` or hardly becomes less. `begin_given`,
-/// `end_given`: the curve begins or ends at the point itself. O(points), about 5 µs each.
+/// Fits a spline of degree 5, four times continuously differentiable, over `along`, about the length, with knots from
+/// that of the first point to that of the last one. It is about the one of least fourth derivatives at the knots whose
+/// distances from the points are less than `radius`: the sum of the squares of these derivatives and of a power of the
+/// distances relative to `radius` is made small by Newton's method, with powers from 2 to 100. Parameters are moved to
+/// where the curve is nearest to the point. `begin_given`, `end_given`: the curve begins or ends at the point itself.
+/// O(points), about 10 µs each.
 PointFit fit_points(const std::vector<Vec>& points, std::vector<double> along, double radius,
-                    const std::vector<std::size_t>& knots, bool begin_given, bool end_given);
+                    const std::vector<double>& knots, bool begin_given, bool end_given);
 
 }  // namespace bahnwerk

@@ -110,6 +110,12 @@ TEST(Optimal, DensePointsOfAnArcCostNothingWithNoiseOrWithout) {
             << n << " " << share << " " << point_tolerance;
 }
 
+TEST(Optimal, NoiseOfManySpacingsCostsNothingWhereItIsBelowThePointTolerance) {
+  const double sparse = optimal(dense(false, 33, 0, 1e-6)).duration();
+  for (const int n : {101, 401, 3000})
+    EXPECT_LT(optimal(dense(false, n, 0.9 * 3e-3, 3e-3)).duration(), 1.01 * sparse) << n;
+}
+
 TEST(Optimal, DensePointsOfAStraightCostNothingWithNoiseOrWithout) {
   for (const int n : {11, 401, 3000})
     for (const double share : {0.0, 0.9}) {
@@ -134,10 +140,10 @@ TEST(Optimal, ThreePointsHaveNoRippleAndTheSearchEnds) {
 }
 
 TEST(Optimal, MoreTimeLeavesNoMoreRipple) {
-  ProbeProblem p = problem({{0, 0}, {4, 0}, {4, 3}, {7, 3}}, 0.2);
+  ProbeProblem p = problem({{0, 0}, {0.4, 0}, {0.4, 0.3}, {0.7, 0.3}}, 0.02);
   p.objective = ProbeObjective::ripple;
   double before = 1e9;
-  for (const double stretch : {2.0, 12.0}) {
+  for (const double stretch : {2.0, 6.0}) {
     p.stretch = stretch;
     const double ripple = probe_figures(p, optimal(p), silent_scope()).speed_ripple;
     EXPECT_LE(ripple, 1.02 * before) << stretch;
@@ -166,13 +172,14 @@ TEST(Optimal, RandomSetsAreRightNeverSlowerThanTheirStartAndNeverBelowTheBound) 
 }
 
 TEST(Optimal, RippleIsNoMoreThanThatOfAnyStartInTime) {
-  // Edges of 5 mm with a wide tube, and a row that turns back: no search finds less than what it begins with for sure.
+  // Edges of 0.5 mm with a wide tube, and a row that turns back: no search finds less than what it begins with for
+  // sure.
   struct Case {
     std::vector<Vec> points;
     double tolerance;
   };
-  const std::vector<Case> cases{{{{0, 0}, {5, 0}, {9, 3}, {9, 7}}, 0.4},
-                                {{{0, 0}, {3, 0}, {7, 0}, {4, 0}, {6, 1}}, 0.02}};
+  const std::vector<Case> cases{{{{0, 0}, {0.5, 0}, {0.9, 0.3}, {0.9, 0.7}}, 0.04},
+                                {{{0, 0}, {0.3, 0}, {0.7, 0}, {0.4, 0}, {0.6, 0.1}}, 0.002}};
   for (const auto& [points, tolerance] : cases) {
     ProbeProblem p = problem(points, tolerance);
     p.objective = ProbeObjective::ripple;

@@ -28,6 +28,18 @@ TEST(Passing, PointsOutOfOrderWithinTheirToleranceArePassedInOrder) {
   expect_right(p, motion);
 }
 
+TEST(Passing, PointsOutOfOrderAcrossAChosenPointArePassedInOrder) {
+  ProbeProblem p = problem({{0, 0}, {2, 4e-4}, {3.0004, 8e-4}, {3, 0}, {2.9996, -8e-4}, {4, 9e-4}, {6, 0}}, 0.01);
+  p.point_tolerance = 1e-3;
+  merge_points(p);
+  ProbeMotion motion = straight(p);
+  const double half = motion.duration() / 2;
+  const Passing passing = pass_points(p, *motion.motion, {0, 3, 6}, {0, half, 2 * half});
+  EXPECT_TRUE(passing.open.empty());
+  motion.times = passing.times;
+  expect_right(p, motion);
+}
+
 TEST(Passing, APointTooFarAwayOrATubeThatIsLeftIsFound) {
   ProbeProblem p = problem({{0, 0}, {1, 0}, {2, 2e-3}, {6, 0}}, 0.01);
   p.point_tolerance = 1e-3;
