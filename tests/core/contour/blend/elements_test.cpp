@@ -50,9 +50,9 @@ TEST(BlendElements, BothDirectionsKeepTheSameVertices) {
   const auto vertices = [](const std::vector<Vec>& of) {
     const Contour c = polyline(2, of, false, 1);
     const std::vector<std::size_t> blocks(c.path.size(), 0);
+    const std::vector<ElementRun> runs = element_runs(c.path, 0, c.path.size(), blocks, 0.01, 3.1, silent_scope());
     std::vector<Vec> list;
-    for (const Element& e : element_runs(c.path, 0, c.path.size(), blocks, 0.01, 3.1, silent_scope())[0].elements)
-      list.push_back(e.at(0).value);
+    for (const Element& e : runs.at(0).elements) list.push_back(e.at(0).value);
     return list;
   };
   const std::vector<Vec> there = vertices(points);
