@@ -34,7 +34,7 @@ for line in metrics.splitlines():
         labels.setdefault(found[1], {"job", "instance"}).update(re.findall(r'(\w+)="', found[2] or ""))
 used = set()
 for place, expression in expressions():
-    names = re.findall(r"\b(bahnwerk_\w+|up)\b", re.sub(r'"[^"]*"', '""', expression))
+    names = re.findall(r"\b((?:bahnwerk|process)_\w+|up)\b", re.sub(r'"[^"]*"', '""', expression))
     expect(names, f"{place}: no metric in {expression}")
     known = set()
     for name in names:
