@@ -50,6 +50,16 @@ bool set_limit(std::size_t bytes) noexcept {
   return setrlimit(RLIMIT_DATA, &limit) == 0;
 }
 
+/// Returns the bytes that the limit counts; no allocation here.
+std::size_t counted_bytes() noexcept {
+  std::size_t pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%*u %*u %*u %*u %*u %zu", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
 /// Called by operator new when there is no memory.
 void when_memory_is_short() {
   if (marked || reserve_open) throw std::bad_alloc();
@@ -80,6 +90,8 @@ std::size_t default_memory_limit(std::size_t host) { return std::max(host / 4 * 
 std::size_t memory_reserve(std::size_t bytes) { return std::min(bytes / 16, std::size_t{32} << 20); }
 
 bool limit_memory(std::size_t bytes) {
+  // A sanitizer has mapped more than any limit: nothing could be allocated below it.
+  if (counted_bytes() > bytes) return false;
   rlimit limit{};
   if (getrlimit(RLIMIT_DATA, &limit) != 0) return false;
   limit.rlim_max = std::min(static_cast<rlim_t>(bytes), limit.rlim_max);
@@ -108,14 +120,8 @@ void open_memory_reserve() noexcept {
 
 void close_memory_reserve() noexcept {
   if (!reserve_open) return;
-  // The sixth number is the data, in pages; no allocation here.
-  std::size_t data = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%*u %*u %*u %*u %*u %zu", &data) != 1) data = 0;
-    std::fclose(file);
-  }
   const std::size_t closed = limit_bytes - memory_reserve(limit_bytes);
-  if (data * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) > closed - closed / 64) return;
+  if (counted_bytes() > closed - closed / 64) return;
   if (set_limit(closed)) reserve_open = false;
 }
 
