@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include "core/numeric/bisection.hpp"
@@ -175,6 +176,11 @@ ThinnedProblem thinned(const ProbeProblem& problem) {
     thin.problem.points.push_back(problem.points[i]);
     thin.next.push_back(std::min(thin.next.size() + 1, thin.point.size() - 1));
   }
+  // Motions pass the points that are kept themselves; what is left to the others is the tolerance of the edges.
+  thin.problem.given = thin.problem.points;
+  thin.problem.point_of.resize(thin.point.size());
+  std::iota(thin.problem.point_of.begin(), thin.problem.point_of.end(), std::size_t{0});
+  thin.problem.point_tolerance = 0;
   for (std::size_t m = 0; m + 1 < thin.point.size(); ++m)
     thin.problem.edge_tolerance.push_back(
         std::min(problem.tolerance, finder.left(thin.point[m], thin.point[m + 1]).first));
