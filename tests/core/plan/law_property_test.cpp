@@ -1,4 +1,4 @@
-/// What every motion law has to keep, on random problems: 1000 of them with BAHNWERK_CASES=50. The verifier, which
+/// What every motion law has to keep, on random problems: 1000 of them with BAHNWERK_TEST_CASES=50. The verifier, which
 /// shares nothing with the solvers, looks at the law between its rows, too.
 #include <gtest/gtest.h>
 
