@@ -1,5 +1,6 @@
 #pragma once
-/// A share of a job's progress, for a planner that is one of several.
+/// A share of a job's progress, for a planner that is one of several, and progress of steps that are repeated.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,20 @@ class ProgressPart final : public Progress {
   Progress& whole_;
   std::string stage_;
   double from_, to_;
+};
+
+/// Reports no fraction less than one before, where a job repeats a step.
+class OnwardProgress final : public Progress {
+ public:
+  explicit OnwardProgress(Progress& whole) : whole_(whole) {}
+  void report(std::string_view stage, double fraction, std::string_view message = {}) override {
+    most_ = std::max(most_, fraction);
+    whole_.report(stage, most_, message);
+  }
+
+ private:
+  Progress& whole_;
+  double most_ = 0;
 };
 
 }  // namespace bahnwerk

@@ -47,7 +47,7 @@ std::string change(const WindingRequest& request, const std::string& name, const
   if (name == "needle clearance") {
     std::string text = "needed is a narrower needle than " + short_number(request.needle.width) + " mm (needle.width)";
     if (std::holds_alternative<winding::StatorPart>(request.part))
-      text += request.model.pivot_limit ? ", another needle.pivot_limit"
+      text += request.model.pivot_limit ? ", a larger needle.pivot_limit"
                                         : ", or a needle that swivels (needle.pivot_limit)";
     if (request.least_clearance > 0) text += ", or less needle.clearance";
     return text + ", another path.extra_point or fewer coil.turns";

@@ -5,19 +5,10 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
+#include "core/plan/winding/needle_support.hpp"
 #include "core/winding/path/post_passage.hpp"
 
 namespace bahnwerk {
-namespace {
-
-std::vector<winding::FixedPiece> support(const WindingRequest& request, const std::vector<winding::Turn>& turns,
-                                         const winding::NeedleModel& model, Progress& progress) {
-  if (const auto* stator = std::get_if<winding::StatorPart>(&request.part))
-    return winding::support_points(*stator, request.coils, turns, model, progress);
-  return winding::support_points(std::get<winding::RotorPart>(request.part), turns, model, progress);
-}
-
-}  // namespace
 
 winding::NeedlePath linked_path(const WindingRequest& request, const std::vector<winding::FixedPiece>& support,
                                 LinkObjective objective, Progress& progress) {
@@ -35,12 +26,12 @@ bool reaches_with_least_bend(const WindingRequest& request, const std::vector<wi
   for (const winding::Turn& turn : turns)
     if (turn.coil == piece.coil && turn.number + 1 >= piece.turn && turn.number <= piece.turn + 1) near.push_back(turn);
   winding::NeedleModel model = request.model;
-  model.shape = request.needle, model.clearance = request.least_clearance;
+  model.pivot_limit = tried_swivels(request).front();
   model.pull.bend_radius = request.wire.outer, model.pull.bending_moment = 0;
   // The stages were reported before.
   ProgressPart again(progress, "machine", 1, 1);
   try {
-    const std::vector<winding::FixedPiece> fixed = support(request, near, model, again);
+    const std::vector<winding::FixedPiece> fixed = needle_support(request, near, model, again);
     const winding::NeedlePath path = linked_path(request, fixed, request.links.objective, again);
     const auto tool = std::make_shared<const PosePath>(pose_path(path.curves()));
     machine_path({tool, &tool->tool}, tool->orientation, request.configurations);

@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
-#include "core/winding/needle/support_points.hpp"
 
 namespace bahnwerk {
 namespace {
 
-using winding::FixedPiece;
-using winding::RotorPart;
-using winding::StatorPart;
-
 // Number of wires beyond those wound for which the stability of the pile is decided: 400 take about 0.5 s, 1200 about
 // 10 s.
 constexpr std::size_t most_decided = 400;
-constexpr double fitted = 0.03;  // share of the whole job's progress at which the wires have their places
 
 InvalidInput fault(std::vector<std::string> place, std::string message) {
   return InvalidInput(std::vector<InputFault>{{std::move(place), std::move(message)}});
@@ -38,7 +30,7 @@ class Laying {
     const winding::Slot slot = winding::checked_slot(part);
     std::vector<winding::LayingRegions> regions;
     for (const winding::Coil& coil : request_.coils) regions.push_back(winding::coil_regions(part, slot, coil));
-    ProgressPart laying(progress_, "layout", 0, fitted);
+    ProgressPart laying(progress_, "layout", 0, coils_laid);
     plan_.layout = winding::needle(regions.front(), request_.wire.radius(), slot.tension_point, laying);
     const std::size_t places = plan_.layout[0].wires.size(), parallel = request_.parallel, most = places / parallel;
     if (places == 0) throw fault({"wire"}, "does not fit into the slot");
@@ -54,39 +46,9 @@ class Laying {
     decide_windable(slot);
     if (request_.law == FeedLaw::bspline && plan_.turns.size() > max_spline_turns)
       throw fault({"feed", "law"}, too_many_spline_turns(plan_.turns.size()));
-    ProgressPart supporting(progress_, "support points", fitted, coils_laid);
-    plan_.support = support(part, supporting);
-    check_depth(slot_depth(part, slot));
   }
 
  private:
-  /// Returns the depth of the tip in the slot, mm: below a stator's bore, or under a rotor's outer circle.
-  double slot_depth(const StatorPart& part, const winding::Slot&) const {
-    return farthest([bore = winding::bore(part) / 2](double from_axis) { return from_axis - bore; });
-  }
-  double slot_depth(const RotorPart& part, const winding::Slot& slot) const {
-    return farthest([outer = winding::outer_radius(part, slot)](double from_axis) { return outer - from_axis; });
-  }
-  template <class Depth>
-  double farthest(Depth depth) const {
-    double most = 0;
-    for (const FixedPiece& piece : plan_.support)
-      if (piece.kind == FixedPiece::Kind::region && piece.region % 2 == 0)
-        for (const winding::SupportPoint* point : {&piece.begin, &piece.end})
-          most = std::max(most, depth(std::hypot(point->pose.tip.x, point->pose.tip.y)));
-    return most;
-  }
-  /// Checks that holder and swivel stay outside the slot.
-  void check_depth(double depth) const {
-    const auto deep = [&](const char* what) {
-      char text[160];
-      std::snprintf(text, sizeof text, "is too short: the tip goes %.4g mm deep into the slot, and %s with it", depth,
-                    what);
-      return std::string(text);
-    };
-    if (request_.needle.length < depth) throw fault({"needle", "length"}, deep("the needle's holder"));
-    if (request_.swivel_length < depth) throw fault({"machine", "l_tool"}, deep("the swivel"));
-  }
   /// Decides whether the layout can be wound, as kind fill_factor does.
   void decide_windable(const winding::Slot& slot) {
     const std::size_t wanted = plan_.turns.size() / request_.coils.size() * request_.parallel;
@@ -99,19 +61,8 @@ class Laying {
                            winding::Needle{request_.needle.width, winding::Needle::Stand::middle, request_.parallel,
                                            request_.model.pivot_limit.has_value()}};
     coil.back = &layouts[1];
-    ProgressPart verdict(progress_, "layout", fitted, fitted);
+    ProgressPart verdict(progress_, "layout", coils_laid, coils_laid);
     plan_.windable = winding::windable(coil, request_.hold, verdict);
-  }
-  std::vector<FixedPiece> support(const StatorPart& part, Progress& progress) const {
-    return winding::support_points(part, request_.coils, plan_.turns, needle_model(), progress);
-  }
-  std::vector<FixedPiece> support(const RotorPart& part, Progress& progress) const {
-    return winding::support_points(part, plan_.turns, needle_model(), progress);
-  }
-  winding::NeedleModel needle_model() const {
-    winding::NeedleModel model = request_.model;
-    model.shape = request_.needle, model.clearance = request_.least_clearance;
-    return model;
   }
 
   const WindingRequest& request_;

@@ -17,6 +17,8 @@
 #include "core/plan/winding/coil_passes.hpp"
 #include "core/plan/winding/laid_coils.hpp"
 #include "core/plan/winding/link_timer.hpp"
+#include "core/plan/winding/needle_support.hpp"
+#include "core/plan/winding/path_clearance.hpp"
 #include "core/plan/winding/wire_length.hpp"
 #include "core/verify/law/total_jerk.hpp"
 #include "core/verify/setpoints/curvature_checks.hpp"
@@ -24,7 +26,6 @@
 #include "core/verify/setpoints/needle_checks.hpp"
 #include "core/verify/worst.hpp"
 #include "core/winding/fill.hpp"
-#include "core/winding/needle/part_obstacles.hpp"
 #include "core/winding/path/quick_links.hpp"
 
 namespace bahnwerk {
@@ -38,32 +39,84 @@ using winding::StatorPart;
 constexpr double most_lag = 0.5;
 // mm or deg, largest deviation of an axis' setpoint from the motion, from the inverse of the arc length and rounding.
 constexpr double rounding_of_rows = 1e-10;
-constexpr double clearance_tolerance = 0.001;  // mm
 // Links that share only the tangent cause steps of an axis' acceleration at joints, by at most jerk · cycle time
 // (core/motion/grid/sections.hpp). A third difference of setpoints is the mean of the jerk weighted by the quadratic
 // B-spline over three cycles, whose peak is 3/(4 T), so a step contributes up to 3/4 of the limit in addition to the
 // jerk itself. With this share of the limit both together keep it.
 constexpr double share_beside_steps = 1 / 1.75;
 // Ends of the stages, as shares of the whole job.
-constexpr double laid = coils_laid, linked = 0.2, cleared = 0.25, reached = 0.3, planned = 0.97;
+constexpr double laid = 0.05, linked = 0.2, cleared = 0.25, reached = 0.3, planned = 0.97;
 
 class Planner {
  public:
   Planner(const WindingRequest& request, Progress& progress) : request_(request), progress_(progress) {}
 
   WindingPlan run() {
-    lay_coils(request_, plan_, progress_);
+    lay_coils(request_, laid_, progress_);
+    const std::vector<std::optional<double>> swivels = tried_swivels(request_);
+    std::optional<double> clearest = swivels.front();
+    if (swivels.size() > 1) {
+      double most = -unlimited;
+      std::optional<WindingPlan> refused;
+      std::vector<FixedPiece> before;
+      for (const std::optional<double>& swivel : swivels) try {
+          support(swivel);
+          if (same_poses(plan_.support, before)) continue;
+          before = plan_.support;
+          find_path();
+          const double found = plan_.clearance.minimum;
+          if (found < request_.least_clearance) {
+            if (found > most) most = found, clearest = swivel;
+            continue;
+          }
+          WindingPlan plan = moved();
+          if (plan.motion.verification.passed) return plan;
+          if (!refused) refused = std::move(plan);
+        } catch (const Stopped&) {
+          throw;
+        } catch (const PlanningError&) {
+          // A smaller swivel may have a plan; without any, the reason is found again below.
+        }
+      if (refused) return std::move(*refused);
+    }
+    support(clearest);
+    find_path();
+    return moved();
+  }
+
+ private:
+  /// Begins a plan whose needle swivels by at most this angle, with its support points.
+  void support(const std::optional<double>& swivel) {
+    plan_ = WindingPlan();
+    plan_.layout = laid_.layout, plan_.windable = laid_.windable, plan_.turns = laid_.turns;
+    winding::NeedleModel model = request_.model;
+    model.pivot_limit = swivel;
+    ProgressPart supporting(progress_, "support points", coils_laid, laid);
+    plan_.support = needle_support(request_, plan_.turns, model, supporting);
+    check_depth(request_, plan_.support);
+  }
+
+  /// Finds the path through the support points, its clearance, and that of the machine.
+  void find_path() {
     progress_.report("link", laid);
     plan_.path = linked_by(request_.links.objective);
     if (request_.minimum_time) quicken();
-    const std::vector<BezierPiece> curves = plan_.path.curves();
-    plan_.tool = std::make_shared<const PosePath>(pose_path(curves));
+    plan_.tool = std::make_shared<const PosePath>(pose_path(plan_.path.curves()));
     plan_.path_length = plan_.tool->tool.length();
     progress_.report("clearance", linked);
-    plan_.clearance = clear(curves, cleared);
+    const PathClearance clearance = clear(plan_.path, cleared);
+    plan_.clearance = clearance.least, plan_.nearest = clearance.nearest;
     progress_.report("machine", cleared);
     try {
       plan_.machine = machine_path(tool_path(), plan_.tool->orientation, request_.configurations);
+    } catch (const UnreachablePose& pose) {
+      throw placed(pose);
+    }
+  }
+
+  /// Returns the plan with its motion.
+  WindingPlan moved() {
+    try {
       move();
     } catch (const UnreachablePose& pose) {
       throw placed(pose);
@@ -74,7 +127,6 @@ class Planner {
     return std::move(plan_);
   }
 
- private:
   winding::NeedlePath linked_by(LinkObjective objective) {
     ProgressPart linking(progress_, "link", laid, linked);
     return linked_path(request_, plan_.support, objective, linking);
@@ -82,8 +134,7 @@ class Planner {
 
   /// Replaces the smoothest links by those that take the least time, if the whole path takes less with them.
   void quicken() {
-    const std::vector<BezierPiece> smooth = plan_.path.curves();
-    const PosePath tool = pose_path(smooth);
+    const PosePath tool = pose_path(plan_.path.curves());
     std::shared_ptr<const Kinematics> machine;
     try {
       machine = machine_path(tool.tool, tool.orientation, request_.configurations).kinematics;
@@ -98,10 +149,10 @@ class Planner {
         [&](std::span<const BezierPiece> pieces) { return timer(pieces); }, timing);
     // Links are searched with the time-optimal law; the path is then chosen by the time with the requested feed.
     LinkTimes times{timed(plan_.path), timed(substitute), timed(quick.path), quick.changed, LinkChoice::curvature};
-    const double allowed = std::min(request_.least_clearance, clear(smooth, linked).minimum);
+    const double allowed = std::min(request_.least_clearance, clear(plan_.path, linked).least.minimum);
     double least = times.curvature;
     const auto take = [&](double time, const winding::NeedlePath& path, LinkChoice choice) {
-      if (!(time < least) || !within_ranges(path, machine) || clear(path.curves(), linked).minimum < allowed) return;
+      if (!(time < least) || !within_ranges(path, machine) || clear(path, linked).least.minimum < allowed) return;
       plan_.path = path, times.taken = choice, least = time;
     };
     take(times.control_distance, substitute, LinkChoice::control_distance);
@@ -119,39 +170,9 @@ class Planner {
   }
 
   /// This stage covers the job's progress from `linked` to `to`.
-  winding::Clearance clear(const std::vector<BezierPiece>& curves, double to) {
-    return std::visit([&](const auto& part) { return clear(part, curves, to); }, request_.part);
-  }
-  /// Checks coil by coil, with the obstacles present while that coil is wound.
-  template <class Part>
-  winding::Clearance clear(const Part& part, const std::vector<BezierPiece>& curves, double to) {
-    const winding::Slot slot = winding::checked_slot(part);
-    winding::Clearance nearest;
-    nearest.minimum = unlimited;
-    const auto& pieces = plan_.path.pieces;
-    for (std::size_t begin = 0; begin < pieces.size();) {
-      const std::size_t coil = coil_of(pieces[begin], plan_.support);
-      std::size_t end = begin;
-      while (end < pieces.size() && coil_of(pieces[end], plan_.support) == coil) ++end;
-      const winding::PartObstacles all = obstacles(part, slot, request_.coils[coil]);
-      const auto done = [&](std::size_t piece) {
-        return linked + (to - linked) * static_cast<double>(piece) / static_cast<double>(pieces.size());
-      };
-      ProgressPart clearing(progress_, "clearance", done(begin), done(end));
-      winding::Clearance least = winding::clearance(std::span(curves).subspan(begin, end - begin), request_.needle,
-                                                    all.list(), clearance_tolerance, clearing);
-      least.move += begin;
-      if (least.minimum < nearest.minimum)
-        nearest = least, plan_.nearest = all.list().empty() ? "" : all.name(least.obstacle);
-      begin = end;
-    }
-    return nearest;
-  }
-  winding::PartObstacles obstacles(const StatorPart& part, const winding::Slot& slot, winding::Coil coil) const {
-    return winding::part_obstacles(part, slot, request_.tool, {coil});
-  }
-  static winding::PartObstacles obstacles(const RotorPart& part, const winding::Slot& slot, winding::Coil) {
-    return winding::part_obstacles(part, slot);
+  PathClearance clear(const winding::NeedlePath& path, double to) {
+    ProgressPart clearing(progress_, "clearance", linked, to);
+    return path_clearance(request_, plan_.support, path, clearing);
   }
 
   /// Builds the problem of the motion along a path, which belongs to `tool` and `machine`.
@@ -265,7 +286,7 @@ class Planner {
     return "turn " + std::to_string(piece.turn + 1) + " of coil " + std::to_string(piece.coil + 1) + ", at or after " +
            winding::region_in_words(piece.region);
   }
-  UnreachableTurn placed(const UnreachablePose& pose) const {
+  UnreachableTurn placed(const UnreachablePose& pose) {
     const FixedPiece& piece = piece_at(pose.path_length >= 0 ? pose.path_length : 0);
     const std::string words = turn_in_words(piece) + ": " + pose.what();
     const winding::Pull& pull = request_.model.pull;
@@ -327,7 +348,8 @@ class Planner {
   }
 
   const WindingRequest& request_;
-  Progress& progress_;
+  OnwardProgress progress_;
+  WindingPlan laid_;  ///< layout, turns and verdict, which do not depend on the needle's swivel
   WindingPlan plan_;
 };
 

@@ -78,6 +78,55 @@ TEST(WindingLimits, ALooserPivotLimitOfADrawnSlotIsNeverRefused) {
   expect_looser_is_never_refused(stator(true), "/needle/pivot_limit", {0, 5, 10, 60}, 3);
 }
 
+/// A coil whose needle leaves less than a tenth of a millimetre beside it in the opening, so that any swivel on the way
+/// out of the slot touches a tooth.
+json narrow(json sizes, json part, json ends, json needle) {
+  sizes.update({{"base_corner_radius", 0.2}, {"liner", 0.2}, {"wedge_thickness", 0}, {"wedge_width", 0}});
+  part.update({{"type", "stator"}, {"slot", sizes}, {"stack", 30}});
+  const double wire = 0.7 * needle["width"].get<double>();
+  json spec = {{"part", part},
+               {"wire", {{"copper", wire}, {"outer", 1.1 * wire}}},
+               {"coil", {{"slots", ends}, {"turns", 1}}},
+               {"machine", machine("robot")},
+               {"tool", {{"width", 2.1}, {"thickness", 2}}},
+               {"needle", needle},
+               {"feed", {{"method", "critical_points"}}}};
+  for (auto& axis : spec["machine"]["axes"]) axis["range"] = nullptr;
+  spec["machine"].update({{"cycle_time", 0.004}, {"l_tool", needle["length"]}});
+  return spec;
+}
+
+TEST(WindingLimits, ALooserPivotLimitIsNeverRefusedWhereTheNeedleFillsTheOpening) {
+  const std::vector<json> limits{nullptr, 6, 25};
+  expect_looser_is_never_refused(
+      narrow({{"base_width", 2.6297},
+              {"opening_width", 0.6627},
+              {"height", 18.2194},
+              {"tip_angle", 92.2556},
+              {"base_radius", 84.7786},
+              {"tip_corner_radius", 0.0326}},
+             {{"slots", 72}, {"tool_shift", 0.1628}}, {44, 43}, {{"width", 0.5068}, {"length", 50}}),
+      "/needle/pivot_limit", limits, limits.size());
+  expect_looser_is_never_refused(
+      narrow({{"base_width", 2.2658},
+              {"opening_width", 0.6363},
+              {"height", 12.7034},
+              {"tip_angle", 92.4091},
+              {"base_radius", 64.4164},
+              {"tip_corner_radius", 0.0629}},
+             {{"slots", 60}, {"tool_shift", 0.466}}, {3, 53}, {{"width", 0.4157}, {"length", 50}}),
+      "/needle/pivot_limit", limits, limits.size());
+  expect_looser_is_never_refused(
+      narrow({{"base_width", 3.3695},
+              {"opening_width", 0.6896},
+              {"height", 16.823},
+              {"tip_angle", 93.3958},
+              {"base_radius", 38.766},
+              {"tip_corner_radius", 0.0275}},
+             {{"slots", 24}, {"tool_shift", 0.3702}}, {22, 3}, {{"width", 0.5008}, {"length", 35}}),
+      "/needle/pivot_limit", limits, limits.size());
+}
+
 TEST(WindingLimits, LessClearanceIsNeverRefused) {
   for (const json& limit : {json(), json(10)}) {
     json spec = short_coil();

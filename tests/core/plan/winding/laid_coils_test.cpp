@@ -23,16 +23,15 @@ std::vector<std::string> refused_place(const WindingRequest& request) {
   return {};
 }
 
-TEST(LaidCoils, EveryTurnHasFourRegionsWithSupportPoints) {
+TEST(LaidCoils, EveryTurnHasItsPlaceInTheLayout) {
   for (WindingRequest request : {stator_request(2), rotor_request(2)}) {
     SilentProgress progress;
     WindingPlan plan;
     lay_coils(request, plan, progress);
     EXPECT_EQ(plan.turns.size(), 2u);
-    EXPECT_GE(plan.support.size(), 8u);
     EXPECT_TRUE(plan.windable.can_be_wound(2));
     EXPECT_GE(plan.layout[0].wires.size(), plan.windable.wires);
-    EXPECT_TRUE(plan.path.pieces.empty()) << "links come later";
+    EXPECT_TRUE(plan.support.empty()) << "support points come later";
   }
 }
 
@@ -45,15 +44,6 @@ TEST(LaidCoils, AsManyTurnsAreLaidAsTheSlotTakes) {
   EXPECT_EQ(plan.turns.size(), plan.layout[0].wires.size() / 2);
   request.parallel = plan.layout[0].wires.size() + 1;
   EXPECT_EQ(refused_place(request), (std::vector<std::string>{"coil", "parallel"}));
-}
-
-TEST(LaidCoils, HolderAndSwivelStayOutOfTheSlot) {
-  WindingRequest request = rotor_request(1);
-  request.needle.length = 5;
-  EXPECT_EQ(refused_place(request), (std::vector<std::string>{"needle", "length"}));
-  request = rotor_request(1);
-  request.swivel_length = 5;
-  EXPECT_EQ(refused_place(request), (std::vector<std::string>{"machine", "l_tool"}));
 }
 
 }  // namespace
