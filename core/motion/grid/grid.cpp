@@ -304,55 +304,55 @@ void Grid<N>::cut(std::size_t last) {
   stations.resize(cells.back().station + 2);
 }
 
-/// Few cells are divided: those that stay whole are copied run by run.
 template <int N>
 void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& progress) {
+  divide(
+      path, [&](std::size_t c) { return parts[c]; },
+      [&](std::size_t c, int i, double u0, double u1) { return u0 + i * ((u1 - u0) / parts[c]); },
+      [&](std::size_t c, std::size_t cells_made) { parts[c] = static_cast<std::uint8_t>(cells_made); }, progress);
+}
+
+template <int N>
+void Grid<N>::insert(const LargeVector<Station<N>>& inner, const LargeVector<Inner>& divided, ProgressScope& progress) {
   constexpr std::size_t block = 4096;
-  LargeVector<Station<N>>& new_stations = spare_stations_;
-  LargeVector<GridCell>& new_cells = spare_cells_;
-  const std::size_t n = cells.size();
-  std::size_t total = 0;
-  for (const std::uint8_t count : parts) total += count;
-  new_cells.reserve(total);
-  new_stations.reserve(stations.size() + total - n);
-  for (std::size_t c = 0; c < n;) {
-    progress.done(static_cast<double>(c) / static_cast<double>(n));
-    const bool shared = c > 0 && cells[c].station == cells[c - 1].station + 1;
-    std::size_t end = c;
-    for (const std::size_t most = std::min(n, c + block); end < most && parts[end] == 1;) ++end;
-    if (end > c) {
-      progress.work(1 + (end - c) / 4);
-      const auto from = static_cast<std::ptrdiff_t>(cells[c].station) + (shared ? 1 : 0),
-                 to = static_cast<std::ptrdiff_t>(cells[end - 1].station) + 2;
-      const auto moved = static_cast<std::uint32_t>(new_stations.size() - static_cast<std::size_t>(from));
-      new_stations.insert(new_stations.end(), stations.begin() + from, stations.begin() + to);
-      for (; c < end; ++c) {
-        new_cells.push_back(cells[c]);
-        new_cells.back().station += moved;  // sum modulo 2³²: `moved` may be negative
+  std::size_t station = stations.size(), cell = cells.size(), before = inner.size();  // ends of what is not yet moved
+  grow(stations, station + before, progress);
+  grow(cells, cell + before, progress);
+  stations.resize(station + before);
+  cells.resize(cell + before);
+  /// Moves what lies behind the inner stations that are left, down to this station and this cell.
+  const auto move_down_to = [&](std::size_t least_station, std::size_t least_cell) {
+    const auto move = [&](auto& items, std::size_t& end, std::size_t least) {
+      while (end > least) {
+        const std::size_t count = std::min(block, end - least);
+        progress.work(count / 4);
+        const auto from = items.begin() + static_cast<std::ptrdiff_t>(end - count);
+        std::move_backward(from, items.begin() + static_cast<std::ptrdiff_t>(end),
+                           items.begin() + static_cast<std::ptrdiff_t>(end + before));
+        end -= count;
       }
-      continue;
+    };
+    const std::size_t last = cell + before;
+    move(stations, station, least_station);
+    move(cells, cell, least_cell);
+    for (std::size_t c = cell + before; c < last; ++c) cells[c].station += static_cast<std::uint32_t>(before);
+  };
+  for (std::size_t d = divided.size(); d-- > 0;) {
+    const auto [index, count] = divided[d];
+    move_down_to(cells[index].station + std::size_t{1}, index + 1);
+    const GridCell old = cells[index];
+    for (std::size_t i = 0; i <= count; ++i) {
+      GridCell part = old;
+      part.station = old.station + static_cast<std::uint32_t>(before - count + i);
+      part.cusp_left = old.cusp_left && i == 0;
+      part.cusp_right = old.cusp_right && i == count;
+      cells[index + before - count + i] = part;
     }
-    const GridCell old = cells[c];
-    progress.work(parts[c]);
-    const double u0 = left(c).u, du = (right(c).u - u0) / parts[c];
-    if (!shared) new_stations.push_back(left(c));
-    const std::size_t before = new_cells.size();
-    for (int i = 1; i <= parts[c]; ++i) {
-      GridCell cell = old;
-      cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
-      cell.cusp_left = old.cusp_left && new_cells.size() == before;  // parts may be left out
-      cell.cusp_right = old.cusp_right && i == parts[c];
-      const Station<N> next = i == parts[c] ? right(c) : path.at(old.segment, u0 + i * du);
-      if (i < parts[c] && !resolved(new_stations.back().s, next.s, right(c).s, path[old.segment].length())) continue;
-      new_cells.push_back(cell);
-      new_stations.push_back(next);
-    }
-    parts[c++] = static_cast<std::uint8_t>(new_cells.size() - before);
+    before -= count;
+    std::copy_n(inner.begin() + static_cast<std::ptrdiff_t>(before), count,
+                stations.begin() + static_cast<std::ptrdiff_t>(station + before));
+    cell = index;
   }
-  stations.swap(new_stations);
-  cells.swap(new_cells);
-  new_stations.clear();
-  new_cells.clear();
 }
 
 template <int N>

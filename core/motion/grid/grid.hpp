@@ -67,7 +67,8 @@ class Grid {
   void slice(const Grid& of, std::size_t first, std::size_t last);
   /// Removes all cells but [0, last).
   void cut(std::size_t last);
-  /// Divides cell c into parts[c] equal cells; parts[c] becomes the number of cells made. O(cells).
+  /// Divides cell c into parts[c] equal cells; parts[c] becomes the number of cells made. O(cells), in place but for
+  /// the stations made.
   void divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& progress);
   /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's
   /// ends. Parts finer than path length resolves (`shortest_cell`) are omitted: made(c, m) receives their number.
@@ -81,43 +82,36 @@ class Grid {
   }
 
  private:
-  void grade_end(const LanePath<N>& path, bool front);
+  /// Inner stations that divide a cell.
+  struct Inner {
+    std::size_t cell, stations;
+  };
 
-  LargeVector<Station<N>> spare_stations_;  // empty, with the capacity of the last division
-  LargeVector<GridCell> spare_cells_;
+  void grade_end(const LanePath<N>& path, bool front);
+  /// Inserts the stations `inner` of the cells `divided`, both in the cells' order. The arrays are moved within their
+  /// memory as far as it suffices.
+  void insert(const LargeVector<Station<N>>& inner, const LargeVector<Inner>& divided, ProgressScope& progress);
 };
 
 template <int N>
 template <class Count, class Place, class Made>
 void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& progress) {
-  LargeVector<Station<N>>& new_stations = spare_stations_;
-  LargeVector<GridCell>& new_cells = spare_cells_;
-  std::size_t total = 0;
-  for (std::size_t c = 0; c < cells.size(); ++c) total += count(c);
-  new_cells.reserve(total);
-  new_stations.reserve(stations.size() + total - cells.size());
+  LargeVector<Station<N>> inner;
+  LargeVector<Inner> divided;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     progress(c, cells.size());
-    const GridCell& old = cells[c];
-    if (c == 0 || old.station != cells[c - 1].station + 1) new_stations.push_back(left(c));
+    const std::size_t before = inner.size();
     const int parts = count(c);
-    const std::size_t before = new_cells.size();
-    for (int i = 1; i <= parts; ++i) {
-      GridCell cell = old;
-      cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
-      cell.cusp_left = old.cusp_left && new_cells.size() == before;  // parts may be omitted
-      cell.cusp_right = old.cusp_right && i == parts;
-      const Station<N> next = i == parts ? right(c) : path.at(old.segment, place(c, i, left(c).u, right(c).u));
-      if (i < parts && !resolved(new_stations.back().s, next.s, right(c).s, path[old.segment].length())) continue;
-      new_cells.push_back(cell);
-      new_stations.push_back(next);
+    if (parts > 1) progress.work(static_cast<std::size_t>(parts));
+    for (int i = 1; i < parts; ++i) {
+      const Station<N> next = path.at(cells[c].segment, place(c, i, left(c).u, right(c).u));
+      const double last = inner.size() > before ? inner.back().s : left(c).s;
+      if (resolved(last, next.s, right(c).s, path[cells[c].segment].length())) inner.push_back(next);
     }
-    made(c, new_cells.size() - before);
+    if (inner.size() > before) divided.push_back({c, inner.size() - before});
+    made(c, inner.size() - before + 1);
   }
-  stations.swap(new_stations);
-  cells.swap(new_cells);
-  new_stations.clear();
-  new_cells.clear();
+  insert(inner, divided, progress);
 }
 
 /// Returns the approximate turn of the path over the segments [first, last), rad, which determines the number of cells.
