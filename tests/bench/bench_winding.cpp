@@ -1,10 +1,13 @@
-/// Time of what every layout stands on: distances to a slot, the verifier's look at a layout; and of a whole sweep.
+/// Time of what every layout stands on: distances to a slot, the verifier's look at a layout; of a whole sweep; and of
+/// the check of a plan's rows that needle and wire are in the coil's slots.
 #include <benchmark/benchmark.h>
 
 #include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/plan/fill_plan.hpp"
+#include "core/plan/winding/coil_passes.hpp"
 #include "core/verify/layout_verifier.hpp"
+#include "tests/core/plan/winding/winding_requests.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -49,6 +52,25 @@ void sweep(benchmark::State& state, winding::Series series) {
   for (auto _ : state) benchmark::DoNotOptimize(plan_fill(request, silent));
 }
 
+/// The rows of four turns on the example stator, read beforehand.
+void coil_slots(benchmark::State& state) {
+  const WindingRequest asked = stator_request(4);
+  SilentProgress silent;
+  const WindingPlan plan = plan_winding(asked, silent);
+  const SetpointSource& setpoints = *plan.motion.setpoints;
+  const std::size_t count = setpoints.count(), width = setpoints.columns().size();
+  std::vector<double> rows(count * width);
+  setpoints.read(0, count, rows.data());
+  for (auto _ : state) {
+    const std::unique_ptr<RowCheck> check = coil_slot_row_check(coil_passes(asked, plan, setpoints));
+    for (std::size_t k = 0; k < count; ++k) check->row(k, &rows[k * width]);
+    benchmark::DoNotOptimize(check->checks());
+  }
+  state.counters["per_row"] = benchmark::Counter(
+      static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+BENCHMARK(coil_slots)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(distance, stator, make_slot(winding::StatorSlot{}));
 BENCHMARK_CAPTURE(distance, rotor, make_slot(winding::RotorSlot{}));
 BENCHMARK(verifying)->RangeMultiplier(4)->Range(64, 4096)->Complexity();
