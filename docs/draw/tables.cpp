@@ -13,7 +13,7 @@ namespace {
 void convergence(const std::string& name, const Contour& contour) {
   const Machine m = machine();
   SilentProgress silent;
-  const double bound = lower_bound(contour, m, GridOptions{}.angle / 2, silent).duration;
+  const double bound = lower_bound(contour, m, GridOptions{}.angle / 2, silent).value;
   GridOptions finest;
   finest.angle = 2.5e-4;
   const double best = plan(contour, m, false, finest, 1e-9).law.duration();

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "core/base/progress.hpp"
 #include "core/drawing/svg.hpp"
 #include "core/plan/fill_drawings.hpp"
 #include "docs/draw/pictures.hpp"
