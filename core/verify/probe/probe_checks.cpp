@@ -43,12 +43,18 @@ struct Span {
   int depth;
 };
 
+/// The largest value so far, from above, and one that is reached: they differ by no more than the resolution, however
+/// many parts were searched.
+struct Highest : Worst {
+  double reached = 0;
+};
+
 class Enclosure {
  public:
   /// Raises `worst` to the largest f, which is convex, over the part: its coefficients bound it from above, its ends
   /// from below. Not a number stays.
   template <class F>
-  void raise(const Part& part, double begin, double end, F&& f, Worst& worst) {
+  void raise(const Part& part, double begin, double end, F&& f, Highest& worst) {
     spans_.clear();
     spans_.push_back({part, begin, end, 0});
     while (!spans_.empty()) {
@@ -60,17 +66,18 @@ class Enclosure {
         if (!std::isfinite(value)) return worst.raise(std::nan(""), now.begin);
         upper = std::max(upper, value);
       }
-      if (upper <= worst.value * (1 + resolution)) {
-        keep(upper, now.begin, worst);
+      if (upper <= worst.reached * (1 + resolution)) {
+        worst.raise(upper, now.begin);
         continue;
       }
       const double first = f(now.part.at(0)), last = f(now.part.at(now.part.n - 1)), lower = std::max(first, last);
       const double when = first >= last ? now.begin : now.end;
+      worst.reached = std::max(worst.reached, lower);
       if (upper <= lower * (1 + resolution) || now.depth >= deepest) {
         worst.raise(upper, when);
         continue;
       }
-      if (lower > worst.value) worst.raise(lower, when);
+      worst.raise(lower, when);
       const double middle = (now.begin + now.end) / 2;
       const Part right = now.part.cut();
       spans_.push_back({right, middle, now.end, now.depth + 1});
@@ -80,10 +87,6 @@ class Enclosure {
 
  private:
   static constexpr int deepest = 44;
-  /// A value above the peak by less than the resolution still counts.
-  static void keep(double upper, double when, Worst& worst) {
-    if (upper > worst.value) worst.raise(upper, when);
-  }
   std::vector<Span> spans_;
 };
 
@@ -190,7 +193,8 @@ class ProbeChecker {
   const ProbeToVerify& in_;
   Enclosure enclosure_;
   double largest_ = 0;
-  Worst speed_, deviation_, points_;
+  Highest speed_, deviation_;
+  Worst points_;
 };
 
 }  // namespace

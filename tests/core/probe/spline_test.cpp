@@ -49,6 +49,19 @@ TEST(Spline, DensePointsArePassedAtNominalSpeed) {
   }
 }
 
+TEST(Spline, EnclosuresOfManyEqualPeaksOfSpeedDoNotAddUp) {
+  std::vector<Vec> points = circle(271, 116.5);
+  points.pop_back();
+  ProbeProblem p = problem(std::move(points), 0.0107, 3, 2.4046);
+  const double limits[3][3] = {
+      {0.27064, 0.28931, 0.038692}, {0.12801, 0.0034117, 0.00010066}, {0.056415, 0.0016296, 2.4079e-05}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    AxisLimits& axis = p.machine.axes[k];
+    axis.acceleration = limits[k][0], axis.jerk = limits[k][1], axis.snap = limits[k][2];
+  }
+  expect_right(p, spline(p));
+}
+
 TEST(Spline, ThousandsOfPointsWithManyRestsAreRightToTheEnd) {
   // Splines and rests alternate for minutes; served motions are slowed to whole cycles.
   Random random(7);
