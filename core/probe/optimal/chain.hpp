@@ -40,7 +40,11 @@ struct ChainLimits {
   double tolerance = 0;      ///< radius of the capsules around the edges, mm; 0: unlimited
   std::vector<double> tube;  ///< radius per edge, mm, where tolerance > 0 and the edges differ; else empty
   std::vector<double> ball;  ///< radius of the ball of each point that is passed, mm; 0: the point itself is passed
-  double speed = 0;          ///< Euclidean, mm/s
+  /// A smooth curve near the points: each point's parameter, about the length, and the derivatives of orders 1 to 3 of
+  /// the curve there, 0 where there is none. Empty: no curve is known.
+  std::vector<double> along;
+  std::vector<std::array<std::array<double, D>, 3>> curve;
+  double speed = 0;                                   ///< Euclidean, mm/s
   std::array<std::array<double, D>, 3> derivative{};  ///< limits of acceleration, jerk, snap of every axis, mm/s² …
   double radius(std::size_t edge) const { return tube.empty() ? tolerance : tube[edge]; }
 };

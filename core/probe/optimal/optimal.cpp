@@ -40,6 +40,12 @@ ChainLimits<D> limits_of(const ProbeProblem& problem, const ChosenPoints& chosen
     for (std::size_t k = 0; k < D; ++k) at[k] = p[k] - problem.points.front()[k];
     limits.points.push_back(at);
   }
+  limits.along = chosen.along;
+  for (const std::array<Vec, 3>& derivatives : chosen.curve) {
+    auto& curve = limits.curve.emplace_back();
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t k = 0; k < D; ++k) curve[r][k] = derivatives[r][k];
+  }
   for (std::size_t i = 0; i < chosen.at.size(); ++i) {
     // A ball that is tiny beside its edges and the tube gives nothing but work.
     double around = problem.tolerance;
@@ -84,10 +90,9 @@ std::vector<std::size_t> set_times(const ProbeProblem& problem, const std::vecto
 
 template <int D>
 ProbeMotion in_tube(const ProbeProblem& problem, const Report& report) {
-  constexpr int rounds = 8;
+  constexpr int rounds = 8;  // with one point more between two; then all between two are chosen
   PointChoice choice(problem, [&] { report(0); });
   for (int round = 0;; ++round) {
-    if (round == rounds) choice.choose_all();
     const ChosenPoints chosen = choice.chosen();
     const double done = 1 - std::exp2(-round);
     const CellChain<D> chain = plan_chain(limits_of<D>(problem, chosen), chosen.index.size() - 1,
@@ -104,8 +109,7 @@ ProbeMotion in_tube(const ProbeProblem& problem, const Report& report) {
         pieces, times);
     ProbeMotion motion = motion_of(std::move(pieces), problem.points.back());
     const std::vector<std::size_t> open = set_times(problem, chosen.index, std::move(times), motion);
-    if (open.empty() || round == rounds) return motion;
-    choice.split(open);
+    if (open.empty() || !choice.split(open, motion.times, round >= rounds)) return motion;
   }
 }
 

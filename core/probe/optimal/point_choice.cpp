@@ -25,15 +25,21 @@ ProfileLimits least_limits(const ProbeProblem& problem) {
 }
 
 /// Returns the length of the polygon up to each given point, mm. Points nearer to each other than ten tolerances may be
-/// out of order along the path: lengths are those between points that are farther apart, in equal steps between.
+/// out of order along the path: lengths are those between points that are farther apart, and the way in that direction
+/// between, as far as it grows.
 std::vector<double> lengths(const ProbeProblem& problem) {
   const std::vector<Vec>& given = problem.given;
   std::vector<double> along(given.size(), 0.0);
   for (std::size_t from = 0; from + 1 < given.size();) {
     std::size_t to = from + 1;
     while (to + 1 < given.size() && norm(given[to] - given[from]) < 10 * problem.point_tolerance) ++to;
-    const double step = norm(given[to] - given[from]) / static_cast<double>(to - from);
-    for (std::size_t i = from + 1; i <= to; ++i) along[i] = along[from] + static_cast<double>(i - from) * step;
+    const Vec way = given[to] - given[from];
+    const double length = norm(way);
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double share = length > 0 ? dot(given[i] - given[from], way) / length : 0;
+      along[i] = std::clamp(along[from] + share, along[i - 1], along[from] + length);
+    }
+    along[to] = along[from] + length;
     from = to;
   }
   return along;
@@ -49,27 +55,22 @@ PointChoice::PointChoice(const ProbeProblem& problem, std::function<void()> repo
       time_(problem.given.size()),
       own_(problem.points.size(), 0),
       chosen_(problem.points.size(), 0) {
-  constexpr double far = 1.5, very_far = 8;  // steps
   const std::size_t n = problem.points.size();
   for (std::size_t g = problem.given.size(); g-- > 0;) first_[problem.point_of[g]] = g;
 
   const ProfileLimits limits = least_limits(problem);
   profile_ = straight_profile(along_.back(), 0, 0, limits);
   for (std::size_t g = 0; g < along_.size(); ++g) time_[g] = probe::time_at(profile_, along_[g]);
-  const double step = std::pow(100 * problem.point_tolerance / limits.snap, 0.25);
-  const double steps = std::ceil(profile_.duration / step);
+  step_ = std::pow(100 * problem.point_tolerance / limits.snap, 0.25);
+  const double steps = std::ceil(profile_.duration / step_);
   if (steps < static_cast<double>(n)) {
     for (double k = 0; k <= steps; ++k) knots_.push_back(k / steps * profile_.duration);
-    // Points far from both neighbours, or very far from one, stay where they are.
     own_.front() = own_.back() = 1;
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const double before = (time(i) - time(i - 1)) / step, behind = (time(i + 1) - time(i)) / step;
-      own_[i] = std::min(before, behind) > far || std::max(before, behind) > very_far;
-    }
   } else {
     own_.assign(n, 1);
   }
   fit();
+  choose();
 }
 
 double PointChoice::time(std::size_t point) const {
@@ -80,7 +81,17 @@ PointChoice::Place PointChoice::place(std::size_t point, Vec at) const {
   double farthest = 0;
   for (std::size_t g = first_[point]; g < first_[point + 1]; ++g)
     farthest = std::max(farthest, norm(problem_.given[g] - at));
-  return {at, std::max(0.0, reach * problem_.point_tolerance - farthest)};
+  Place out;
+  out.at = at;
+  out.room = std::max(0.0, reach * problem_.point_tolerance - farthest);
+  out.along = along_[point + 1 < own_.size() ? first_[point] : along_.size() - 1];
+  return out;
+}
+
+/// Returns whether a rest at either end passes the point.
+bool PointChoice::at_rest(std::size_t point) const {
+  const Vec at = problem_.points[point];
+  return std::min(norm(at - problem_.points.front()), norm(at - problem_.points.back())) < problem_.point_tolerance;
 }
 
 std::vector<std::size_t> PointChoice::listed(const std::vector<char>& list) const {
@@ -90,47 +101,50 @@ std::vector<std::size_t> PointChoice::listed(const std::vector<char>& list) cons
   return index;
 }
 
-void PointChoice::split(const std::vector<std::size_t>& open) {
+bool PointChoice::split(const std::vector<std::size_t>& open, const std::vector<double>& times, bool all) {
+  bool more = false;
   for (std::size_t e : open) {
-    // The point nearest to the middle of the edge.
     const std::size_t from = last_[e], to = last_[e + 1];
-    const double middle = (time(from) + time(to)) / 2;
-    std::size_t best = to;
-    for (std::size_t i = from + 1; i < to; ++i)
-      if (best == to || std::abs(time(i) - middle) < std::abs(time(best) - middle)) best = i;
-    if (best < to) chosen_[best] = 1;
+    const double middle = (times[from] + times[to]) / 2;
+    std::size_t best = from + 1;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      more = true;
+      if (all) {
+        chosen_[i] = own_[i] = 1;
+        places_[i] = place(i, problem_.points[i]);
+      }
+      if (std::abs(times[i] - middle) < std::abs(times[best] - middle)) best = i;
+    }
+    chosen_[best] = 1;
   }
+  return more;
 }
 
-void PointChoice::choose_all() {
-  own_.assign(problem_.points.size(), 1);
-  fit();
-}
-
-/// Fits curves to all sections between points that stay where they are, and chooses points.
+/// Fits curves to all sections between points that stay where they are.
 void PointChoice::fit() {
-  const std::size_t n = own_.size();
   for (bool near = false; !near;) {
     near = true;
     places_.clear();
-    for (std::size_t i = 0; i < n; ++i) places_.push_back(place(i, problem_.points[i]));
-    fitted_.assign(n, 0);
+    for (std::size_t i = 0; i < own_.size(); ++i) places_.push_back(place(i, problem_.points[i]));
     const std::vector<std::size_t> index = listed(own_);
     for (std::size_t c = 0; c + 1 < index.size(); ++c)
       if (index[c + 1] - index[c] > 1) near = fit(index[c], index[c + 1]) && near;
   }
-  // Points stay chosen that are; others are added at most a step apart, where there are such, and no nearer than a
-  // third of it.
+}
+
+/// Chooses points at most a step apart, where there are such, and no nearer than a third of it.
+void PointChoice::choose() {
+  const std::size_t n = own_.size();
+  chosen_.front() = chosen_.back() = 1;
   std::size_t last = 0, k = 0;
-  for (std::size_t i = 1; i < n; ++i) {
+  for (std::size_t i = 1; i + 1 < n; ++i) {
     while (k + 2 < knots_.size() && knots_[k + 1] <= time(i)) ++k;
-    const double step = knots_.empty() ? 0 : knots_[k + 1] - knots_[k];
-    if (!own_[i] && !chosen_[i] && time(i + 1) - time(last) <= 1.0001 * step) continue;
-    if (!own_[last] && !own_[i] && time(i) - time(last) < step / 3) chosen_[last] = 0;
+    const double step = knots_.empty() ? step_ : knots_[k + 1] - knots_[k];
+    if (!own_[i] && time(i + 1) - time(last) <= 1.0001 * step) continue;
+    if (std::min(time(i) - time(last), time(n - 1) - time(i)) < step / 3 || at_rest(i)) continue;
     chosen_[i] = 1;
     last = i;
   }
-  chosen_.front() = 1;
 }
 
 /// Fits a curve to the section from point `from` to point `to`; returns whether it is near enough to all given points.
@@ -181,8 +195,11 @@ bool PointChoice::fit(std::size_t from, std::size_t to) {
   }
   std::sort(knots_.begin(), knots_.end());
   for (i = from; near && i <= to; ++i) {
-    places_[i] = place(i, (fit.at[first[i - from]] + fit.at[first[i - from + 1] - 1]) / 2);
-    fitted_[i] = 1;
+    const std::size_t p = first[i - from], q = first[i - from + 1] - 1;
+    places_[i] = place(i, (fit.at[p] + fit.at[q]) / 2);
+    places_[i].along = fit.along[p];
+    places_[i].fitted = true;
+    if (!own_[i]) places_[i].curve = fit.derivative[p];
   }
   return near;
 }
@@ -195,9 +212,11 @@ ChosenPoints PointChoice::chosen() {
     const std::size_t i = out.index[c], before = c > 0 ? out.index[c - 1] : i,
                       behind = c + 1 < out.index.size() ? out.index[c + 1] : i;
     out.at.push_back(places_[i].at);
+    out.along.push_back(places_[i].along);
+    out.curve.push_back(places_[i].curve);
     double room = places_[i].room;
     // On the curve, the points beside it keep half of their room.
-    for (std::size_t k = before; fitted_[i] && k <= behind; ++k)
+    for (std::size_t k = before; places_[i].fitted && k <= behind; ++k)
       if (k > 0 && k + 1 < n) room = std::min(room, places_[k].room / 2);
     out.ball.push_back(i == 0 || i + 1 == n ? 0 : room);
   }

@@ -34,6 +34,28 @@ class FitSpline {
     return out;
   }
 
+  /// Returns the derivatives of orders 1 to 3 at u [de Boor].
+  std::array<Vec, 3> derivatives(double u) const {
+    const std::size_t k = span(u);
+    std::array<Vec, degree + 1> c;
+    std::copy_n(c_.begin() + static_cast<std::ptrdiff_t>(k - degree), degree + 1, c.begin());
+    std::array<Vec, 3> out;
+    for (std::size_t order = 1; order <= 3; ++order) {
+      const std::size_t p = degree - order;
+      // c[j] belongs to the knots t_(k−p+j) … t_(k+1+j).
+      for (std::size_t j = 0; j <= p; ++j)
+        c[j] = static_cast<double>(p + 1) / (t_[k + 1 + j] - t_[k - p + j]) * (c[j + 1] - c[j]);
+      std::array<Vec, degree + 1> d = c;
+      for (std::size_t r = 1; r <= p; ++r)
+        for (std::size_t j = p; j >= r; --j) {
+          const double low = t_[k - p + j], high = t_[k + 1 + j - r];
+          d[j] = d[j - 1] + (u - low) / (high - low) * (d[j] - d[j - 1]);
+        }
+      out[order - 1] = d[p];
+    }
+    return out;
+  }
+
   /// The coefficients of c_i … c_(i+order) in coefficient i of derivative `order`, order ≤ 4, times the power `order`
   /// of the distance of the knots there. Those of derivative 4 are its values at the knots.
   DerivativeRow derivative(std::size_t i, std::size_t order) const {
@@ -52,9 +74,7 @@ class FitSpline {
 
   /// The basis functions that are not 0 at u, and their slopes; returns the index of the first [de Boor].
   std::size_t basis(double u, BasisRow& value, BasisRow& slope) const {
-    const auto inner = static_cast<std::ptrdiff_t>(degree) + 1;
-    const auto next = std::upper_bound(t_.begin() + inner, t_.end() - inner, u);
-    const auto k = static_cast<std::size_t>(next - t_.begin()) - 1;  // t_k ≤ u < t_k+1
+    const std::size_t k = span(u);
     value = {1};
     for (std::size_t d = 1; d <= degree; ++d) {
       if (d == degree) {
@@ -76,41 +96,60 @@ class FitSpline {
   }
 
  private:
+  // Returns k with t_k ≤ u < t_(k+1).
+  std::size_t span(double u) const {
+    const auto inner = static_cast<std::ptrdiff_t>(degree) + 1;
+    return static_cast<std::size_t>(std::upper_bound(t_.begin() + inner, t_.end() - inner, u) - t_.begin()) - 1;
+  }
+
   std::vector<double> t_;
   std::vector<Vec> c_;
 };
 
-/// Normal equations of a band, solved by Cholesky factors.
+/// Normal equations of a band, solved by Cholesky factors. Unknowns are the coordinates of the coefficients in turn.
 class NormalEquations {
  public:
-  explicit NormalEquations(std::size_t n) : a_(n), b_(n) {}
+  explicit NormalEquations(std::size_t n) : a_(3 * n), b_(3 * n, 0.0) {}
+  /// Adds weight · |Σ row_i c_(first + i) − value|², with distances along the unit vector `u` counted by `share` alone.
   template <std::size_t N>
-  void add(std::size_t first, const std::array<double, N>& row, double weight, Vec value) {
-    for (std::size_t i = 0; i < N; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) a_[first + i][i - j] += weight * row[i] * row[j];
-      b_[first + i] += weight * row[i] * value;
+  void add(std::size_t first, const std::array<double, N>& row, double weight, Vec value, Vec u = {},
+           double share = 1) {
+    const Vec target = weight * (value - (1 - share) * dot(u, value) * u);
+    for (std::size_t d = 0; d < 3; ++d) {
+      for (std::size_t e = 0; e < 3; ++e) {
+        const double metric = weight * ((d == e ? 1.0 : 0.0) - (1 - share) * u[d] * u[e]);
+        if (metric == 0) continue;
+        for (std::size_t i = 0; i < N; ++i)
+          for (std::size_t j = 0; j <= i; ++j)
+            if (3 * i + d >= 3 * j + e) a_[3 * (first + i) + d][3 * (i - j) + d - e] += metric * row[i] * row[j];
+      }
+      for (std::size_t i = 0; i < N; ++i) b_[3 * (first + i) + d] += row[i] * target[d];
     }
   }
   std::vector<Vec> solve() {
-    for (std::size_t i = 0; i < a_.size(); ++i) {
-      for (std::size_t d = std::min(i, degree) + 1; d-- > 0;) {
+    const std::size_t n = a_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t d = std::min(i, band - 1) + 1; d-- > 0;) {
         double s = a_[i][d];
-        for (std::size_t k = d + 1; k <= degree && k <= i; ++k) s -= a_[i][k] * a_[i - d][k - d];
+        for (std::size_t k = d + 1; k < band && k <= i; ++k) s -= a_[i][k] * a_[i - d][k - d];
         a_[i][d] = d == 0 ? std::sqrt(s) : s / a_[i - d][0];
       }
-      for (std::size_t d = 1; d <= degree && d <= i; ++d) b_[i] += -a_[i][d] * b_[i - d];
-      b_[i] = b_[i] / a_[i][0];
+      for (std::size_t d = 1; d < band && d <= i; ++d) b_[i] -= a_[i][d] * b_[i - d];
+      b_[i] /= a_[i][0];
     }
-    for (std::size_t i = a_.size(); i-- > 0;) {
-      for (std::size_t d = 1; d <= degree && i + d < a_.size(); ++d) b_[i] += -a_[i + d][d] * b_[i + d];
-      b_[i] = b_[i] / a_[i][0];
+    std::vector<Vec> out(n / 3);
+    for (std::size_t i = n; i-- > 0;) {
+      for (std::size_t d = 1; d < band && i + d < n; ++d) b_[i] -= a_[i + d][d] * b_[i + d];
+      b_[i] /= a_[i][0];
+      out[i / 3][i % 3] = b_[i];
     }
-    return b_;
+    return out;
   }
 
  private:
-  std::vector<BasisRow> a_;  // a_[i][d]: row i, column i − d
-  std::vector<Vec> b_;
+  static constexpr std::size_t band = 3 * (degree + 1);
+  std::vector<std::array<double, band>> a_;  // a_[i][d]: row i, column i − d
+  std::vector<double> b_;
 };
 
 }  // namespace
@@ -119,12 +158,15 @@ PointFit fit_points(const std::vector<Vec>& points, std::vector<double> u, doubl
                     const std::vector<double>& knots, bool begin_given, bool end_given) {
   constexpr int rounds = 20, first_rounds = 3;  // parameters settle in the first ones
   constexpr double largest_power = 100, growth = 1.5, near = 0.95;
-  constexpr double least_weight = 1e-3, largest_weight = 1e6, given_weight = 1e6, snap = 1e-5, acceleration = 1e-8;
+  constexpr double least_weight = 1e-3, given_weight = 1e6, snap = 1e-5, acceleration = 1e-8;
+  constexpr double along_share = 1e-2;  // of distances along the curve
   const std::size_t n = points.size();
   FitSpline spline(knots);
-  PointFit fit{std::vector<Vec>(n, points.front()), points}, best;
+  PointFit fit{std::vector<Vec>(n, points.front()), points, u, {}}, best;
+  FitSpline nearest = spline;
   for (Vec& off : fit.off) off = off - points.front();
-  double least = 0, power = 2;
+  std::vector<Vec> direction(n);  // of the curve
+  double least = 0, power = 2, scale = radius;
   for (int round = 0; round < rounds; ++round) {
     NormalEquations equations(spline.size());
     BasisRow value, slope;
@@ -135,9 +177,9 @@ PointFit fit_points(const std::vector<Vec>& points, std::vector<double> u, doubl
       if (given) {
         equations.add(first, value, given_weight, points[i] - points.front());
       } else {
-        const double weight =
-            std::clamp(std::pow(norm(fit.off[i]) / (near * radius), power - 2), least_weight, largest_weight);
-        equations.add(first, value, (power - 1) * weight, x + fit.off[i] / (power - 1));
+        const double weight = std::max(std::pow(norm(fit.off[i]) / scale, power - 2), least_weight);
+        equations.add(first, value, (power - 1) * weight, x + fit.off[i] / (power - 1), direction[i],
+                      round > 0 ? along_share : 1);
       }
     }
     for (std::size_t i = 0; i + 4 < spline.size(); ++i) equations.add(i, spline.derivative(i, 4), snap, {});
@@ -150,16 +192,19 @@ PointFit fit_points(const std::vector<Vec>& points, std::vector<double> u, doubl
       const double v2 = dot(v, v), step = (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1);
       const double along = v2 > 0 ? std::clamp(dot(off, v) / v2, -step / 2, step / 2) : 0;
       fit.at[i] = points.front() + x + along * v;
-      fit.off[i] = v2 > 0 ? off - dot(off, v) / v2 * v : off;
+      direction[i] = v2 > 0 ? v / std::sqrt(v2) : Vec{};
+      fit.off[i] = off - dot(off, direction[i]) * direction[i];
       largest = std::max(largest, norm(fit.off[i]));
       if (i > 0 && i + 1 < n) u[i] = std::clamp(u[i] + along, u.front(), u.back());
     }
+    scale = std::max(largest, near * radius);
     if (round + 1 < first_rounds) continue;
-    if (best.at.empty() || largest < least) best = fit, least = largest;
+    if (best.at.empty() || largest < least) best = fit, best.along = u, nearest = spline, least = largest;
     if (largest < 2 * radius) power = std::min(growth * power, largest_power);
   }
   if (begin_given) best.at.front() = points.front();
   if (end_given) best.at.back() = points.back();
+  for (double at : best.along) best.derivative.push_back(nearest.derivatives(at));
   return best;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// A smooth curve near a row of points: a smoothing spline within a distance.
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -8,15 +9,18 @@
 namespace bahnwerk {
 
 struct PointFit {
-  std::vector<Vec> at;   ///< place on the curve that belongs to each point, mm
-  std::vector<Vec> off;  ///< from the curve to the point, across the curve, mm
+  std::vector<Vec> at;                         ///< place on the curve that belongs to each point, mm
+  std::vector<Vec> off;                        ///< from the curve to the point, across the curve, mm
+  std::vector<double> along;                   ///< parameter of each place
+  std::vector<std::array<Vec, 3>> derivative;  ///< of the curve there, orders 1 to 3, with respect to the parameter
 };
 
 /// Fits a spline of degree 5, four times continuously differentiable, over `along`, about the length, with knots from
 /// that of the first point to that of the last one. It is about the one of least fourth derivatives at the knots whose
 /// distances from the points are less than `radius`: the sum of the squares of these derivatives and of a power of the
 /// distances relative to `radius` is made small by Newton's method, with powers from 2 to 100. Parameters are moved to
-/// where the curve is nearest to the point. `begin_given`, `end_given`: the curve begins or ends at the point itself.
+/// where the curve is nearest to the point, and only distances across the curve count (tangent distance minimisation),
+/// so that spacing may be uneven. `begin_given`, `end_given`: the curve begins or ends at the point itself.
 /// O(points), about 10 µs each.
 PointFit fit_points(const std::vector<Vec>& points, std::vector<double> along, double radius,
                     const std::vector<double>& knots, bool begin_given, bool end_given);

@@ -43,6 +43,10 @@ ChainLimits<D> part_of(const ChainLimits<D>& limits, std::size_t from, std::size
   };
   slice(part.points, limits.points);
   slice(part.ball, limits.ball);
+  if (!limits.along.empty()) {
+    slice(part.along, limits.along);
+    slice(part.curve, limits.curve);
+  }
   if (!limits.tube.empty())
     part.tube.assign(limits.tube.begin() + static_cast<std::ptrdiff_t>(from),
                      limits.tube.begin() + static_cast<std::ptrdiff_t>(to));
@@ -70,7 +74,7 @@ std::size_t look_ahead(const ChainLimits<D>& limits, std::size_t from, double br
 struct Effort {
   int levels;
   double final_gap;
-  int iterations;  // iterations of a level
+  int iterations;  // of a level; three times as many of the first one, whose start may be slow
 };
 // Few points may take long each; many get less.
 Effort effort(std::size_t edges) {
@@ -118,7 +122,7 @@ CellChain<D> plan_chain(const ChainLimits<D>& limits, std::size_t all_edges,
       }
       ChainSolverOptions options;
       options.gap = level == work.levels ? work.final_gap : 1e-2;
-      options.iterations = work.iterations;
+      options.iterations = (level == 0 ? 3 : 1) * work.iterations;
       options.start_mu = level == 0 ? 0 : 0.02;
       double shortest = scale.time;
       for (const ChainCell& cell : window.cell) shortest = std::min(shortest, cell.duration);

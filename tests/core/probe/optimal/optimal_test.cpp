@@ -1,5 +1,7 @@
 #include "core/probe/optimal/optimal.hpp"
 
+#include <algorithm>
+
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
@@ -114,6 +116,46 @@ TEST(Optimal, NoiseOfManySpacingsCostsNothingWhereItIsBelowThePointTolerance) {
   const double sparse = optimal(dense(false, 33, 0, 1e-6)).duration();
   for (const int n : {101, 401, 3000})
     EXPECT_LT(optimal(dense(false, n, 0.9 * 3e-3, 3e-3)).duration(), 1.01 * sparse) << n;
+}
+
+/// Points of a curve at random places along it, within `share` of `tolerance` of it.
+ProbeProblem at_random_places(int n, double tolerance, double share, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> at{0, 1};
+  while (at.size() < static_cast<std::size_t>(n)) at.push_back(random.uniform());
+  std::sort(at.begin(), at.end());
+  std::vector<Vec> points;
+  for (double u : at) {
+    const double angle = 2 * M_PI * random.uniform(), off = share * tolerance * random.uniform();
+    points.push_back(
+        {10 * u + off * std::cos(angle), 0.8 * std::sin(5 * u) + 0.3 * std::sin(11 * u) + off * std::sin(angle)});
+  }
+  ProbeProblem p = problem(std::move(points), 0.05);
+  p.point_tolerance = tolerance;
+  merge_points(p);
+  return p;
+}
+
+TEST(Optimal, UnevenlySpacedPointsOfACurveTakeNoLongerThanItsEvenlySpacedOnes) {
+  constexpr double quickest = 0.6911;  // s, of 401 evenly spaced points
+  for (const auto& [tolerance, share] : {std::pair{1e-6, 0.0}, {3e-4, 0.5}, {1e-4, 0.9}})
+    EXPECT_LT(optimal(at_random_places(101, tolerance, share, 6)).duration(), 1.01 * quickest) << tolerance;
+}
+
+TEST(Optimal, NoiseOfManySpacingsDoesNotTurnTheHeadBackAtAnEnd) {
+  Random random(3);
+  constexpr int n = 1501;
+  constexpr double tolerance = 3e-3;
+  std::vector<Vec> points;
+  for (int i = 0; i < n; ++i) {
+    const double angle = M_PI / 2 * i / (n - 1), e = i > 0 && i + 1 < n ? 0.9 * tolerance * random.uniform() : 0,
+                 way = 2 * M_PI * random.uniform();
+    points.push_back({std::cos(angle) + e * std::cos(way), std::sin(angle) + e * std::sin(way)});
+  }
+  ProbeProblem p = problem(std::move(points), 0.05);
+  p.point_tolerance = tolerance;
+  merge_points(p);
+  EXPECT_LT(optimal(p).duration(), 1.01 * 0.2691);
 }
 
 TEST(Optimal, DensePointsOfAStraightCostNothingWithNoiseOrWithout) {
