@@ -40,6 +40,7 @@ std::optional<JobState> job_state(std::string_view text);
 struct Job {
   std::string id;
   JobRequest request;
+  std::optional<std::string> owner;  ///< name of the key that posted it
   JobState state = JobState::queued;
   double fraction = 0;
   std::string stage, message;

@@ -62,9 +62,12 @@ constexpr std::array<ProblemType, 36> catalogue{{
     {"too-many-jobs", 429, "Too many jobs are waiting",
      "The queue is full. Repeat the request after the number of seconds given in `Retry-After`; nothing was stored."},
     {"unauthorized", 401, "The request carries no valid credentials",
-     "Send the credentials that the operator of this server gave you."},
+     "Send a key that the operator of this server gave you: `Authorization: Bearer bw_…`. Keys are made by `bahnwerk "
+     "key "
+     "add`; one that was removed is not valid any more."},
     {"forbidden", 403, "This request is not allowed",
-     "`detail` says why: the credentials are not for this operation, the host that was asked is no name of this "
+     "`detail` says why: the key has not the scope that this operation needs, the host that was asked is no name of "
+     "this "
      "service "
      "(`--allowed-host`), or a page of another site sent the request. Ask the operator of this server."},
     {"draining", 503, "The server is about to stop and takes no more jobs",

@@ -4,8 +4,10 @@
 #include <thread>
 
 #include "api/planned_job.hpp"
+#include "server/http/key_gate.hpp"
 #include "server/http/middleware.hpp"
 #include "server/http/packing.hpp"
+#include "server/routes/login.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/descriptors.hpp"
 #include "server/runtime/log.hpp"
@@ -80,6 +82,10 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   add_meta_routes(router_, *context_);
   add_health_routes(router_, *context_);
   add_page_routes(router_, *context_);
+  keys_ = std::make_unique<KeyRing>(*store_, [this] { notifier_.all_changed(); });
+  add_login_routes(router_, *keys_);
+  gate_ = std::make_unique<KeyGate>(*keys_, *store_, *pool_, login_page);
+  router_.guard(*gate_);
   listener_->start(options.http_threads);
   workers_->start(options.workers, options.worker_nice);
 }
@@ -97,6 +103,7 @@ Service::~Service() {
   scans_->join();
   health_->join();
   pool_->join();
+  keys_.reset();
   deadlines_.reset();
   store_.reset();
 }

@@ -4,12 +4,15 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "server/http/listener.hpp"
+#include "server/http/router.hpp"
 #include "server/http/same_site.hpp"
 #include "server/jobs/change_feed.hpp"
 #include "server/jobs/deadlines.hpp"
 #include "server/jobs/workers.hpp"
+#include "server/keys/key_ring.hpp"
 #include "server/routes/context.hpp"
 #include "server/runtime/build_info.hpp"
 
@@ -52,6 +55,7 @@ class Service {
   Service& operator=(const Service&) = delete;
 
   std::string address() const;  ///< HOST:PORT as bound
+  std::vector<Router::Entry> routes() const { return router_.entries(); }
   /// Calls `answered` after a socket thread and then a thread that reads the store have run it. If threads of either
   /// type are stuck, it is never called.
   void probe(std::function<void()> answered);
@@ -72,6 +76,7 @@ class Service {
   std::unique_ptr<Store> store_;
   AllowedHosts hosts_;
   Router router_;
+  std::unique_ptr<Gate> gate_;
   Notifier notifier_;
   LiveJobs live_;
   std::unique_ptr<Listener> listener_;  ///< sockets outlive the members below
@@ -79,6 +84,7 @@ class Service {
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<Deadlines> deadlines_;
   std::unique_ptr<ChangeFeed> feed_;
+  std::unique_ptr<KeyRing> keys_;
   std::unique_ptr<Context> context_;
 };
 

@@ -167,7 +167,9 @@ int run(int argc, char** argv, const BuildInfo& build) {
   std::string role = "all", level = "info", job, contour, out, id, server = "http://127.0.0.1:8080", format = "csv",
               layout, frame, key;
   std::string store = options.store, file;
-  std::chrono::milliseconds patience{60'000};
+  std::string name, scope = "submit,read";
+  std::optional<std::int64_t> max_queued;
+  std::chrono::milliseconds patience{60'000}, max_planning{0};
   bool wait = false, ready = false;
 
   CLI::App* serve_command =
@@ -252,6 +254,28 @@ int run(int argc, char** argv, const BuildInfo& build) {
   CLI::App* check_command =
       app.add_subcommand("check", "checks whether a store is whole, also while the service runs, or a backup of it");
   add_store(check_command);
+  CLI::App* key_command = app.add_subcommand("key", "adds, lists and removes keys, also while the service runs");
+  key_command->require_subcommand(1);
+  CLI::App* add_command = key_command->add_subcommand("add", "makes a key and prints it, once");
+  add_command->add_option("name", name, "whose it is: jobs belong to the name, and several keys may have one")
+      ->required();
+  add_command
+      ->add_option("--scope", scope,
+                   "what it may do: submit (post, cancel and delete its name's jobs), read (see them), admin "
+                   "(everything), with commas")
+      ->type_name("LIST");
+  add_command->add_option("--max-queued", max_queued, "jobs of the name that may wait before this key gets 429")
+      ->check(CLI::Range(1, 1'000'000'000));
+  add_seconds(*add_command, "--max-planning", max_planning,
+              "of planning on the name's jobs per day (UTC) before this key gets 429; 0 = no limit", 0);
+  add_store(add_command);
+  CLI::App* list_command =
+      key_command->add_subcommand("list", "prints the keys, removed ones included, not their texts");
+  add_store(list_command);
+  CLI::App* remove_command =
+      key_command->add_subcommand("remove", "ends the validity of keys within a second")->alias("revoke");
+  remove_command->add_option("name", name, "a name, for all its keys, or the id of one")->required();
+  add_store(remove_command);
   const std::pair<CLI::App*, const char*> exit_codes[] = {
       {serve_command, "0 ended in order, 1 a planner did not stop in time, 2 could not start"},
       {plan_command, "0 planned and verified, 1 planning failed (problem document on stdout), 2 bad input or usage"},
@@ -266,6 +290,9 @@ int run(int argc, char** argv, const BuildInfo& build) {
        "now (429, 5xx)"},
       {health_command, "0 it lives (with --ready: and takes jobs), 2 bad usage, 3 no server reached, or not ready"},
       {backup_command, "0 copied, 2 not: no such store, no room, bad usage"},
+      {add_command, "0 added, 2 not: bad usage, or the store cannot be changed"},
+      {list_command, "0 listed, 2 no such store, bad usage"},
+      {remove_command, "0 removed, 2 there is no such key, or bad usage"},
       {check_command, "0 whole, 1 damaged, 2 no such store, bad usage"}};
   for (const auto& [command, codes] : exit_codes) {
     command->footer("Exit codes: " + std::string(codes) + ".");
@@ -288,6 +315,11 @@ int run(int argc, char** argv, const BuildInfo& build) {
     if (*submit_command) return submit(server, read_job(job, contour), key, wait, patience);
     if (*watch_command) return watch(server, id, patience);
     if (*backup_command) return backup(store, file);
+    if (*add_command)
+      return add_key(store, name, scope, max_queued,
+                     max_planning.count() > 0 ? std::optional(max_planning) : std::nullopt);
+    if (*list_command) return list_keys(store);
+    if (*remove_command) return remove_keys(store, name);
     if (*check_command) return check(store);
     if (*health_command) return health(server, ready);
     return fetch(server, id, format, layout, frame);

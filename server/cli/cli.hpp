@@ -2,6 +2,7 @@
 /// The command line: `bahnwerk serve | plan | submit | watch | fetch | health | backup | check`.
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,13 @@ int fetch(const std::string& server, const std::string& id, const std::string& f
 int backup(const std::string& store, const std::string& file);
 /// Checks whether the store named by a URL is whole, and prints what is not.
 int check(const std::string& store);
+/// Adds a key for `name` to the store and prints its text, which nobody can learn again.
+int add_key(const std::string& store, const std::string& name, const std::string& scopes,
+            std::optional<std::int64_t> max_queued, std::optional<std::chrono::milliseconds> max_planning);
+/// Prints the keys of the store, removed ones included, without their texts.
+int list_keys(const std::string& store);
+/// Ends the validity of all keys of a name, or of the one with an id; prints them.
+int remove_keys(const std::string& store, const std::string& name_or_id);
 /// Asks whether the process is alive, or with `ready` whether it accepts jobs; prints the answer.
 int health(const std::string& server, bool ready);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 namespace bahnwerk::server {
+struct HeldKey;  // server/keys/key_ring.hpp
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
@@ -28,16 +29,19 @@ struct Request {
   Pairs headers;                      ///< names in lower case, in order
   std::string body;
   std::shared_ptr<void> body_share;  ///< part of the memory for bodies; returned with the last copy
-  std::string peer;                  ///< client's address
+  std::string peer;                  ///< client's address, by a trusted proxy's word where there is one; "unix": none
+  bool secure = false;               ///< whether the client speaks TLS, with this service or a trusted proxy
+  std::string prefix;                ///< what a trusted proxy puts before our paths, e.g. "/plan"; else empty
   /// Has to be called, from any thread, by a handler whose answer waits for something to happen. The connection then
   /// counts as a listener, and calls `finish`, once and from any thread, when the client has left or others need the
   /// connection: the answer is to be given at once, as it is. Set by the connection; empty in requests without one.
   std::function<void(std::function<void()> finish)> listen;
 
-  std::string id;              ///< request id, set by middleware
-  std::string route;           ///< the matched pattern, set by the router; empty when none matched
-  Pairs parameters;            ///< values of the pattern's names, e.g. {id}
-  std::optional<Fault> fault;  ///< if set, the other members are incomplete
+  std::string id;                      ///< request id, set by middleware
+  std::shared_ptr<const HeldKey> key;  ///< who asks, set by the gate; nullptr: nobody needs a key, or none was needed
+  std::string route;                   ///< the matched pattern, set by the router; empty when none matched
+  Pairs parameters;                    ///< values of the pattern's names, e.g. {id}
+  std::optional<Fault> fault;          ///< if set, the other members are incomplete
 
   /// Returns the value of a header (lower-case name), several lines joined by ", "; nullopt when absent.
   std::optional<std::string> header(std::string_view name) const;

@@ -68,9 +68,9 @@ std::string Router::Route::allow() const {
   return list + ", OPTIONS";
 }
 
-void Router::add(std::string_view method, std::string_view pattern, Handler handler,
+void Router::add(std::string_view method, std::string_view pattern, Access access, Handler handler,
                  std::vector<std::string_view> query) {
-  Method entry{std::move(handler), std::move(query)};
+  Method entry{access, std::move(handler), std::move(query)};
   for (Route& route : routes_) {
     if (route.pattern != pattern) continue;
     route.methods.emplace(method, std::move(entry));
@@ -79,6 +79,13 @@ void Router::add(std::string_view method, std::string_view pattern, Handler hand
   Route route{std::string(pattern), split(pattern), {}};
   route.methods.emplace(method, std::move(entry));
   routes_.push_back(std::move(route));
+}
+
+std::vector<Router::Entry> Router::entries() const {
+  std::vector<Entry> list;
+  for (const Route& route : routes_)
+    for (const auto& [name, method] : route.methods) list.push_back({name, route.pattern, method.access});
+  return list;
 }
 
 void Router::operator()(const RequestPtr& request, const Reply& reply) const {
@@ -103,8 +110,11 @@ void Router::operator()(const RequestPtr& request, const Reply& reply) const {
   request->route = found->pattern;
   const auto handler = found->methods.find(request->method == "HEAD" ? "GET" : request->method);
   if (handler != found->methods.end()) {
-    check_query(request->query, handler->second.query);
-    return handler->second.handler(request, reply);
+    const Method& method = handler->second;
+    if (gate_)
+      if (auto refusal = gate_->refuse(method.access, *request)) return reply(std::move(*refusal));
+    check_query(request->query, method.query);
+    return gate_ ? gate_->pass(request, reply, method.handler) : method.handler(request, reply);
   }
   Response response;
   if (request->method == "OPTIONS") {

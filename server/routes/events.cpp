@@ -6,6 +6,7 @@
 
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
+#include "server/keys/key_ring.hpp"
 #include "server/routes/watch.hpp"
 
 namespace bahnwerk::server {
@@ -22,8 +23,8 @@ std::string event(std::string_view name, std::uint64_t id, const nlohmann::order
 /// there is nothing new.
 class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> {
  public:
-  JobFeed(Context& context, std::string id, std::uint64_t known)
-      : context_(context), id_(std::move(id)), sent_(known) {}
+  JobFeed(Context& context, std::string id, std::uint64_t known, std::shared_ptr<const HeldKey> key)
+      : context_(context), id_(std::move(id)), key_(std::move(key)), sent_(known) {}
 
   void next(Ready ready) override {
     ready_ = std::move(ready);
@@ -44,7 +45,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
   }
 
   void look() {
-    if (ended_ || stopped_) return give(std::nullopt);
+    if (ended_ || stopped_ || (key_ && key_->removed)) return give(std::nullopt);
     std::optional<api::Job> job;
     try {
       job = find_job(context_, id_);
@@ -104,7 +105,8 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
 
   Context& context_;
   const std::string id_;
-  std::uint64_t sent_;        ///< the revision that the client has
+  const std::shared_ptr<const HeldKey> key_;  ///< the stream ends when it is removed
+  std::uint64_t sent_;                        ///< the revision that the client has
   std::uint64_t queued_ = 1;  ///< the revision at which it saw the job in the queue; every job begins there with 1
   bool begun_ = false, ended_ = false;
   Clock::time_point last_event_{}, last_piece_{};
@@ -136,7 +138,7 @@ Response begin(Context& context, const Request& request) {
   if (known > job.revision) known = 0;  // the number is of another job, or made up
   response.set("Content-Type", "text/event-stream");
   response.set("X-Accel-Buffering", "no");  // proxies hold answers back until they have a block
-  response.feed = std::make_shared<JobFeed>(context, job.id, known);
+  response.feed = std::make_shared<JobFeed>(context, job.id, known, request.key);
   return response;
 }
 

@@ -49,10 +49,11 @@ void add_health_routes(Router& router, Context& context) {
                                      {"version", context.build.version},
                                      {"commit", context.build.commit},
                                      {"build", context.build.build}};
-  router.add("GET", "/healthz",
+  router.add("GET", "/healthz", Access::open,
              [alive](const RequestPtr&, const Reply& reply) { reply(uncached(json_answer(200, alive))); });
-  router.add("GET", "/readyz", on_pool(context.health, [&](const Request&) { return ready(context); }));
-  router.add("GET", "/metrics", on_pool(context.health, [&](const Request&) { return metrics(context); }));
+  router.add("GET", "/readyz", Access::open, on_pool(context.health, [&](const Request&) { return ready(context); }));
+  router.add("GET", "/metrics", Access::metrics,
+             on_pool(context.health, [&](const Request&) { return metrics(context); }));
 }
 
 }  // namespace bahnwerk::server

@@ -4,6 +4,7 @@
 #include "api/problem.hpp"
 #include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
+#include "server/http/key_gate.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"
 #include "server/routes/events.hpp"
@@ -47,6 +48,7 @@ JobFilter parse_filter(const Pairs& query) {
 Response list(Context& context, const Request& request) {
   require_json(request);
   JobFilter filter = parse_filter(request.query);
+  filter.owner = sees_only(request);
   const std::size_t limit = filter.limit++;  // one more shows whether there is a next page
   auto jobs = context.store.list(filter);
   const bool more = jobs.size() > limit;
@@ -110,21 +112,22 @@ Response remove(Context& context, const Request& request) {
 }  // namespace
 
 void add_job_routes(Router& router, Context& context) {
-  router.add("POST", "/v1/jobs",
+  router.add("POST", "/v1/jobs", Access::submit,
              [&](const RequestPtr& request, const Reply& reply) { submit(context, request, reply); });
-  router.add("GET", "/v1/jobs", on_pool(context.scans, [&](const Request& request) { return list(context, request); }),
+  router.add("GET", "/v1/jobs", Access::read,
+             on_pool(context.scans, [&](const Request& request) { return list(context, request); }),
              {"state", "kind", "reference", "limit", "cursor"});
-  router.add("GET", "/v1/jobs/{id}",
+  router.add("GET", "/v1/jobs/{id}", Access::read,
              [&](const RequestPtr& request, const Reply& reply) { watch(context, request, reply); });
-  router.add("GET", "/v1/jobs/{id}/spec",
+  router.add("GET", "/v1/jobs/{id}/spec", Access::read,
              scan_unless_known(
                  context, [&](const Request&, const api::Job& job) { return document_etag(context, job); },
                  [&](const Request& request) { return document(context, request); }));
-  router.add("GET", "/v1/jobs/{id}/events",
+  router.add("GET", "/v1/jobs/{id}/events", Access::read,
              [&](const RequestPtr& request, const Reply& reply) { events(context, request, reply); });
-  router.add("DELETE", "/v1/jobs/{id}",
+  router.add("DELETE", "/v1/jobs/{id}", Access::submit,
              on_pool(context.scans, [&](const Request& request) { return remove(context, request); }));
-  router.add("POST", "/v1/jobs/{id}/cancel",
+  router.add("POST", "/v1/jobs/{id}/cancel", Access::submit,
              on_pool(context.scans, [&](const Request& request) { return cancel(context, request); }));
 }
 

@@ -69,10 +69,12 @@ void problem_page(const RequestPtr& request, const Reply& reply) {
 }  // namespace
 
 void add_meta_routes(Router& router, Context&) {
-  router.add("GET", "/v1/kinds", constant([] { return api::kinds_document().dump(); }, "application/json"));
-  router.add("GET", "/openapi.json", constant([] { return api::openapi_document().dump(2); }, "application/json"));
-  router.add("GET", "/v1/schemas/{name}", schema);
-  router.add("GET", "/problems/{slug}", problem_page);
+  router.add("GET", "/v1/kinds", Access::any,
+             constant([] { return api::kinds_document().dump(); }, "application/json"));
+  router.add("GET", "/openapi.json", Access::any,
+             constant([] { return api::openapi_document().dump(2); }, "application/json"));
+  router.add("GET", "/v1/schemas/{name}", Access::any, schema);
+  router.add("GET", "/problems/{slug}", Access::open, problem_page);
 }
 
 }  // namespace bahnwerk::server

@@ -2,6 +2,7 @@
 
 #include "api/problem.hpp"
 #include "server/http/accept.hpp"
+#include "server/http/key_gate.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"
 #include "server/routes/html.hpp"
@@ -24,15 +25,17 @@ Response list_page(Context& context, const Request& request) {
   static constexpr std::array<std::string_view, 1> offers{"text/html"};
   if (!negotiate(request.header("accept"), offers))
     throw api::Problem("not-acceptable", "This page comes as text/html.");
+  JobFilter newest;
+  newest.limit = 50;
+  newest.owner = sees_only(request);
   std::string body = "<p>";
-  for (const auto& [state, count] : context.store.counts())
-    body += std::to_string(count) + " " + std::string(api::to_string(state)) + " · ";
+  if (!newest.owner)  // the counts are those of all jobs
+    for (const auto& [state, count] : context.store.counts())
+      body += std::to_string(count) + " " + std::string(api::to_string(state)) + " · ";
   body +=
       "<a href=\"/v1/kinds\">kinds</a> · <a href=\"/openapi.json\">OpenAPI</a> · <a href=\"/metrics\">metrics</a></p>\n"
       "<div class=\"scroll\"><table><thead><tr><th>job</th><th>name</th><th>kind</th><th>state</th><th>created</th>"
       "<th></th></tr></thead>\n";
-  JobFilter newest;
-  newest.limit = 50;
   for (auto& job : context.store.list(newest)) {
     context.live.overlay(job);
     body += row(job);
@@ -46,7 +49,7 @@ Response list_page(Context& context, const Request& request) {
 
 void add_page_routes(Router& router, Context& context) {
   const auto add = [&](const char* pattern, Response (*page)(Context&, const Request&)) {
-    router.add("GET", pattern,
+    router.add("GET", pattern, Access::page,
                on_pool(context.scans, [&context, page](const Request& request) { return page(context, request); }));
   };
   add("/", list_page);

@@ -123,14 +123,14 @@ Response setpoints(Context& context, const Request& request) {
 
 void add_result_routes(Router& router, Context& context) {
   const auto succeeded = [](const api::Job& job) { return job.state == api::JobState::succeeded; };
-  router.add("GET", "/v1/jobs/{id}/result",
+  router.add("GET", "/v1/jobs/{id}/result", Access::read,
              scan_unless_known(
                  context,
                  [&context, succeeded](const Request&, const api::Job& job) {
                    return succeeded(job) ? content_etag(context, job, "result") : std::string();
                  },
                  [&](const Request& request) { return result(context, request); }));
-  router.add("GET", "/v1/jobs/{id}/setpoints",
+  router.add("GET", "/v1/jobs/{id}/setpoints", Access::read,
              scan_unless_known(
                  context,
                  [&context, succeeded](const Request& request, const api::Job& job) {

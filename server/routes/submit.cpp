@@ -1,6 +1,5 @@
 #include "server/routes/submit.hpp"
 
-#include <openssl/evp.h>
 #include <time.h>
 
 #include <algorithm>
@@ -13,8 +12,10 @@
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/gzip.hpp"
+#include "server/keys/key_ring.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/memory.hpp"
+#include "server/runtime/sha256.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -46,19 +47,6 @@ class CheckProgress final : public Progress {
   const std::function<bool()> over_;
 };
 
-std::string sha256(std::string_view text) {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned int size = 0;
-  if (EVP_Digest(text.data(), text.size(), digest, &size, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("SHA-256 failed");
-  std::string out;
-  for (unsigned int i = 0; i < size; ++i) {
-    out += "0123456789abcdef"[digest[i] >> 4];
-    out += "0123456789abcdef"[digest[i] & 15];
-  }
-  return out;
-}
-
 std::string idempotency_key(const Request& request) {
   const auto named = [](const auto& header) { return header.first == "idempotency-key"; };
   const auto key = std::find_if(request.headers.begin(), request.headers.end(), named);
@@ -72,13 +60,24 @@ std::string idempotency_key(const Request& request) {
   return text;
 }
 
-Response accepted(Context& context, const Inserted& inserted) {
+Response accepted(Context& context, const Request& request, const Inserted& inserted) {
   switch (inserted.what) {
     case Inserted::What::conflict:
       throw api::Problem("idempotency-conflict", "This Idempotency-Key was used before with another body.");
     case Inserted::What::full:
       throw api::Problem("too-many-jobs",
                          std::to_string(context.max_queued) + " jobs are waiting; no more are taken now.");
+    case Inserted::What::owner_full:
+      throw api::Problem("too-many-jobs", "As many jobs of the key " + request.key->key.name +
+                                              " are waiting as its quota allows (max-queued).");
+    case Inserted::What::planning_spent: {
+      Response response = problem_answer(
+          api::Problem("too-many-jobs", "The planning time of the key " + request.key->key.name +
+                                            " for this day is spent (max-planning); it begins anew at midnight, UTC."),
+          request.target);
+      const std::int64_t left = ms_per_day - context.time.now_ms() % ms_per_day;
+      return response.set("Retry-After", std::to_string(left / 1000 + 1));
+    }
     case Inserted::What::created:
     case Inserted::What::replayed:
       break;
@@ -175,13 +174,18 @@ class Post : public std::enable_shared_from_this<Post> {
     request_->body = std::string();
     job_.now = context_.time.now_ms();
     job_.max_queued = context_.max_queued;
+    if (const auto& held = request_->key) {
+      job_.owner = held->key.name;
+      job_.max_owned = held->key.max_queued;
+      job_.max_planning_ms = held->key.max_planning_ms;
+    }
     context_.store.insert(std::move(job_),
                           [self = shared_from_this()](const Inserted& inserted, std::exception_ptr error) {
                             // This runs on the store's thread: it hands over at once.
                             self->context_.pool.post([self, inserted, error = std::move(error)] {
                               reply_with(*self->request_, self->reply_, [&] {
                                 if (error) std::rethrow_exception(error);
-                                return accepted(self->context_, inserted);
+                                return accepted(self->context_, *self->request_, inserted);
                               });
                             });
                           });

@@ -14,22 +14,29 @@ void check_store(const std::string& url) {
                      false);
 }
 
-std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
-                                  std::size_t reserve) {
+std::string prepared_path(const std::string& url) {
   check_store(url);
-  SqliteOptions options;
-  options.path = url.substr(7);
-  options.observer = std::move(observer);
-  options.reserve = reserve;
+  std::string path = url.substr(7);
   std::error_code error;
   // One file has one name here, whatever links lead to it: lock and reserve are beside it.
-  if (const auto real = std::filesystem::weakly_canonical(options.path, error); !error) options.path = real.string();
-  const auto folder = std::filesystem::path(options.path).parent_path();
+  if (const auto real = std::filesystem::weakly_canonical(path, error); !error) path = real.string();
+  const auto folder = std::filesystem::path(path).parent_path();
   error.clear();
   if (!folder.empty()) std::filesystem::create_directories(folder, error);
   if (error) throw StoreError("cannot make the store's directory " + folder.string() + ": " + error.message(), false);
-  if (std::filesystem::is_directory(options.path, error))
-    throw StoreError("the store " + options.path + " is a directory; expected a file", false);
+  if (std::filesystem::is_directory(path, error))
+    throw StoreError("the store " + path + " is a directory; expected a file", false);
+  return path;
+}
+
+std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
+                                  std::size_t reserve) {
+  SqliteOptions options;
+  options.path = prepared_path(url);
+  options.observer = std::move(observer);
+  options.reserve = reserve;
+  std::error_code error;
+  const auto folder = std::filesystem::path(options.path).parent_path();
   const auto disk = std::filesystem::space(folder.empty() ? "." : folder, error);
   if (!error && disk.capacity > 0 && reserve >= disk.capacity)
     throw StoreError("the reserve of " + std::to_string(reserve) +

@@ -4,12 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "server/store/keys.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
 
 /// Throws StoreError unless open_store accepts such a URL; opens nothing.
 void check_store(const std::string& url);
+
+/// Returns the path of a store's file, whatever links lead to it; makes its folder. Throws StoreError.
+std::string prepared_path(const std::string& url);
 
 /// Opens the store named by a URL: sqlite:PATH (a missing directory is created). `observer` receives every commit
 /// (seconds, writes); `reserve` bytes of disk are set aside for a full one. Throws StoreError with a sentence for the
@@ -28,5 +32,12 @@ BackUp back_up(const std::string& url, const std::string& file);
 /// Returns what is wrong with the store named by a URL, in sentences: damaged pages, jobs without their document,
 /// results whose setpoints are not complete. It may be in use. Throws StoreError if it cannot be opened.
 std::vector<std::string> inspect(const std::string& url);
+
+/// Changes and lists the keys of the store named by a URL, also while a service uses it. The first key of a store that
+/// does not exist makes it. Removal takes all keys of a name, or the one with an id, and returns them. Throws
+/// StoreError with a sentence for the operator.
+void add_key(const std::string& url, const Key& key);
+std::vector<Key> remove_keys(const std::string& url, const std::string& name_or_id);
+std::vector<Key> list_keys(const std::string& url);  ///< removed ones included
 
 }  // namespace bahnwerk::server

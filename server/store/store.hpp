@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "server/store/changes.hpp"
+#include "server/store/keys.hpp"
 #include "server/store/values.hpp"
 
 namespace bahnwerk::server {
@@ -88,6 +89,9 @@ class Store : public ChangeSource {
   virtual std::optional<SeriesInfo> series(const std::string& id) = 0;  ///< nullopt: no result, or none with setpoints
   /// Reads the rows of chunk `first_row` (a multiple of chunk_rows), row-major. Throws StoreError when it was removed.
   virtual void read_chunk(const SeriesInfo& series, std::size_t first_row, std::vector<double>& out) = 0;
+
+  /// Returns all keys, or nullopt if their version is `known`; 0 is that of a store that never had one.
+  virtual std::optional<Keys> keys(std::uint64_t known) = 0;
 
   virtual void checkpoint() = 0;  ///< empties side files; for an orderly end
 };

@@ -26,15 +26,21 @@ struct StoreStatus {
   std::optional<std::int64_t> oldest_queued;  ///< when the job that waits longest was posted, ms since 1970 UTC
 };
 
+inline constexpr std::int64_t ms_per_day = 86'400'000;
+
 struct NewJob {
   api::JobRequest request;
   std::string idempotency_key;  ///< key of an idempotent request; empty: none
   std::string body_hash;        ///< hash of the posted body; compared when the key was used before
   std::int64_t now = 0;
-  std::size_t max_queued = 0;  ///< refuses the job when this many already wait
+  std::size_t max_queued = 0;             ///< refuses the job when this many already wait
+  std::optional<std::string> owner = {};  ///< name of the key that posts it
+  /// Refuses the job when so many of its owner wait, or planners spent so many ms on the owner's jobs on this day
+  /// (UTC).
+  std::optional<std::int64_t> max_owned = {}, max_planning_ms = {};
 };
 struct Inserted {
-  enum class What { created, replayed, conflict, full };
+  enum class What { created, replayed, conflict, full, owner_full, planning_spent };
   What what = What::created;
   std::string id;  ///< id of the job, if created or replayed
 };
@@ -42,7 +48,8 @@ struct Inserted {
 struct JobFilter {
   std::optional<api::JobState> state;
   std::optional<std::string> kind, reference;
-  std::string before;  ///< upper limit of the ids, exclusive; empty: from the newest
+  std::optional<std::string> owner;  ///< jobs of this name alone
+  std::string before;                ///< upper limit of the ids, exclusive; empty: from the newest
   std::size_t limit = 50;
 };
 

@@ -47,6 +47,7 @@ std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
   if (filter.state) sql += " AND state = ?";
   if (filter.kind) sql += " AND kind = ?";
   if (filter.reference) sql += " AND reference = ?";
+  if (filter.owner) sql += " AND owner = ?";
   if (!filter.before.empty()) sql += " AND id < ?";
   sql += " ORDER BY id DESC LIMIT ?";
   Reader reader(*this);
@@ -54,6 +55,7 @@ std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
   if (filter.state) rows << api::to_string(*filter.state);
   if (filter.kind) rows << *filter.kind;
   if (filter.reference) rows << *filter.reference;
+  if (filter.owner) rows << *filter.owner;
   if (!filter.before.empty()) rows << filter.before;
   rows << static_cast<std::int64_t>(filter.limit);
   std::vector<api::Job> jobs;

@@ -27,6 +27,7 @@ api::Job job_from_row(const Query& row) {
   job.finished_at = row.optional_integer(15);
   job.error = row.optional_text(16);
   job.revision = static_cast<std::uint64_t>(row.integer(17));
+  job.owner = row.optional_text(18);
   if (job.state != api::JobState::running) job.state_revision = job.revision;
   return job;
 }

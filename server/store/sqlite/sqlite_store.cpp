@@ -10,6 +10,38 @@
 #include "server/store/sqlite/reader.hpp"
 
 namespace bahnwerk::server {
+namespace {
+
+/// Returns which of its owner's quotas refuses a job, if any.
+std::optional<Inserted::What> over_quota(SqliteConnection& connection, const NewJob& job) {
+  if (job.owner && job.max_owned) {
+    Query queued =
+        connection.query("SELECT count(*) FROM (SELECT 1 FROM jobs WHERE state = 'queued' AND owner = ? LIMIT ?)");
+    queued << *job.owner << *job.max_owned;
+    if (queued.one_int() >= *job.max_owned) return Inserted::What::owner_full;
+  }
+  if (job.owner && job.max_planning_ms) {
+    Query spent = connection.query("SELECT ms FROM planning_use WHERE owner = ? AND day = ?");
+    spent << *job.owner << job.now / ms_per_day;
+    if (spent.step() && spent.integer(0) >= *job.max_planning_ms) return Inserted::What::planning_spent;
+  }
+  return std::nullopt;
+}
+
+/// Returns the turn of a job among those of its priority: after the last one of its owner, and not before those that
+/// are at their turn now. Owners with many jobs and owners with one are thus served alternately, and a claim takes the
+/// first entry of an index whatever their number is [start-time fair queueing: Goyal, Vin, Cheng 1996].
+std::int64_t next_turn(SqliteConnection& connection, const NewJob& job) {
+  if (!job.owner) return 0;
+  Query turns = connection.query(
+      "SELECT max(coalesce((SELECT max(turn) + 1 FROM jobs WHERE state = 'queued' AND owner = ?1 AND priority = ?2), "
+      "0), coalesce((SELECT min(turn) FROM jobs WHERE state = 'queued' AND priority = ?2), 0))");
+  turns << *job.owner << std::int64_t{job.request.priority};
+  turns.step();
+  return turns.integer(0);
+}
+
+}  // namespace
 
 SqliteStore::SqliteStore(SqliteOptions options)
     : options_(std::move(options)),
@@ -63,10 +95,12 @@ void SqliteStore::insert(NewJob job, std::function<void(Inserted, std::exception
 
 Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document) {
   const bool keyed = !job.idempotency_key.empty();
+  // Each owner has idempotency keys of its own. They contain no line feed.
+  const std::string idempotency = job.owner ? *job.owner + "\n" + job.idempotency_key : job.idempotency_key;
   if (keyed) {
     Query known =
         connection.query("SELECT jobs.id, body_hash FROM idempotency_keys JOIN jobs USING (seq) WHERE key = ?");
-    known << job.idempotency_key;
+    known << idempotency;
     if (known.step()) {
       if (known.text(1) != job.body_hash) return {Inserted::What::conflict, ""};
       return {Inserted::What::replayed, known.text(0)};
@@ -74,15 +108,16 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
   }
   Query waiting = connection.query("SELECT jobs FROM job_counts WHERE state = 'queued'");
   if (static_cast<std::size_t>(waiting.one_int()) >= job.max_queued) return {Inserted::What::full, ""};
+  if (const auto refused = over_quota(connection, job)) return {*refused, ""};
 
   const std::string id = ids_.next(job.now);
   const api::JobRequest& r = job.request;
   Query insert = connection.query(
       "INSERT INTO jobs (id, kind, name, reference, callback, priority, deadline, time_budget, state, created_at, "
-      "changed) VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'queued', ?, ?) RETURNING seq");
+      "changed, owner, turn) VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'queued', ?, ?, ?, ?) RETURNING seq");
   const std::int64_t change = changes_.next();
   insert << id << r.kind << r.name << r.reference << r.callback << std::int64_t{r.priority} << r.deadline
-         << r.time_budget << job.now << change;
+         << r.time_budget << job.now << change << job.owner << next_turn(connection, job);
   insert.step();
   const std::int64_t seq = insert.integer(0);
   insert.step();
@@ -90,7 +125,7 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
   ((spec << seq).blob(packed_document) << spec_form(r.checked)).run();
   if (keyed) {
     (connection.query("INSERT INTO idempotency_keys (key, body_hash, seq) VALUES (?, ?, ?)")
-     << job.idempotency_key << job.body_hash << seq)
+     << idempotency << job.body_hash << seq)
         .run();
   }
   changes_.note(change, id, api::JobState::queued);

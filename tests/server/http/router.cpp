@@ -21,13 +21,14 @@ Handler says(const std::string& text) {
 
 struct RouterTest : testing::Test {
   RouterTest() {
-    router.add("GET", "/", says("root"));
-    router.add("GET", "/v1/jobs/{id}", says("job"));
-    router.add("DELETE", "/v1/jobs/{id}", says("delete"));
-    router.add("GET", "/list", says("list"), {"state", "limit"});
-    router.add("GET", "/v1/jobs/newest", says("newest"));
-    router.add("GET", "/v1/jobs/{id}/files/{name}", says("file"));
-    router.add("POST", "/throws", [](const RequestPtr&, const Reply&) { throw std::runtime_error("secret"); });
+    router.add("GET", "/", Access::open, says("root"));
+    router.add("GET", "/v1/jobs/{id}", Access::open, says("job"));
+    router.add("DELETE", "/v1/jobs/{id}", Access::open, says("delete"));
+    router.add("GET", "/list", Access::open, says("list"), {"state", "limit"});
+    router.add("GET", "/v1/jobs/newest", Access::open, says("newest"));
+    router.add("GET", "/v1/jobs/{id}/files/{name}", Access::open, says("file"));
+    router.add("POST", "/throws", Access::open,
+               [](const RequestPtr&, const Reply&) { throw std::runtime_error("secret"); });
   }
   Response ask(const std::string& method, const std::string& target) {
     auto request = std::make_shared<Request>();

@@ -1,0 +1,10 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace bahnwerk::server {
+
+/// Returns the SHA-256 of a text as 64 hexadecimal digits. Throws std::runtime_error if the library fails.
+std::string sha256(std::string_view text);
+
+}  // namespace bahnwerk::server
