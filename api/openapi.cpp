@@ -63,7 +63,8 @@ void add_layouts(ordered_json& parameter, std::span<const Kind> all) {
 
 /// The answers that every operation can give before its handler is called: faults of the message and of the query.
 void add_common_responses(ordered_json& paths) {
-  static constexpr std::array<std::pair<const char*, const char*>, 11> common{{{"400", "BadRequest"},
+  static constexpr std::array<std::pair<const char*, const char*>, 12> common{{{"400", "BadRequest"},
+                                                                               {"401", "Unauthorized"},
                                                                                {"403", "Forbidden"},
                                                                                {"408", "RequestTimeout"},
                                                                                {"413", "PayloadTooLarge"},

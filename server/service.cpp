@@ -45,17 +45,28 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
     : options_(options), time_(time), notifier_(time) {
   // The address first: whoever cannot have it must not leave a new database behind. Nobody is answered before start().
   const auto offload = [this](std::function<void()> work) { scans_->post(std::move(work)); };
-  const Handler handler =
-      compose({request_id(), access_log(), count(metrics_), pack_answers(offload), guard(), same_site(hosts_)},
-              [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
+  const Handler handler = compose({request_id(), access_log(), audit(), count(metrics_), cors(hosts_),
+                                   pack_answers(offload), guard(), prefixed(), same_site(hosts_)},
+                                  [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
+  check_origins(options.cors_origins);
   listener_ = std::make_unique<Listener>(
-      affordable(options.limits),
-      ListenerHooks{.handler = handler, .offload = offload, .connections = [this](std::size_t open) {
-                      metrics_.connections(open);
-                    }});
+      affordable(options.limits), ListenerHooks{.handler = handler,
+                                                .offload = offload,
+                                                .connections = [this](std::size_t open) { metrics_.connections(open); },
+                                                .proxies = TrustedProxies(options.trusted_proxies)});
   check_store(options.store);
-  listener_->open(options.listen);
+  listener_->open(options.listen, options.tls, options.socket_mode);
+  if (!options.insecure_listen && listener_->reachable() && list_keys(options.store).empty())
+    throw std::runtime_error(
+        listener_->address() +
+        " is reached from other machines, and there is no key: whoever reaches it could post, read and delete jobs. "
+        "Make "
+        "one (bahnwerk key add NAME --scope submit,read --store " +
+        options.store +
+        "), listen on 127.0.0.1, or, where something else keeps others out, say so with --insecure-listen "
+        "(BAHNWERK_INSECURE_LISTEN=true)");
   hosts_ = allowed_hosts(options.listen, listener_->address(), options.allowed_hosts);
+  hosts_.origins = options.cors_origins;
   store_ = open_store(
       options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); },
       options.store_reserve);
@@ -126,6 +137,15 @@ void Service::follow_changes() {
 }
 
 std::string Service::address() const { return listener_->address(); }
+
+void Service::reload_certificate() {
+  try {
+    listener_->reload_certificate();
+    log::info("certificate_loaded");
+  } catch (const std::exception& error) {  // the one in use stays
+    log::error("certificate_not_loaded", {{"detail", error.what()}});
+  }
+}
 
 void Service::probe(std::function<void()> answered) {
   listener_->post([this, answered = std::move(answered)]() mutable { pool_->post(std::move(answered)); });

@@ -27,7 +27,12 @@ struct ServiceOptions {
   unsigned workers = 1;  ///< planner threads; 0 = accepts jobs without planning them
   unsigned http_threads = 2;
   std::size_t max_queued = 10'000;
-  std::vector<std::string> allowed_hosts;           ///< names by which clients ask for it; see allowed_hosts()
+  std::vector<std::string> allowed_hosts;    ///< names by which clients ask for it; see allowed_hosts()
+  std::vector<std::string> cors_origins;     ///< sites whose pages may use it
+  std::vector<std::string> trusted_proxies;  ///< see TrustedProxies
+  TlsFiles tls;
+  unsigned socket_mode = 0660;                      ///< permissions of a Unix socket
+  bool insecure_listen = false;                     ///< listen beyond this machine without keys
   std::chrono::milliseconds max_planning{600'000};  ///< time of a plan; then it ends as budget-exhausted
   Limits limits;
   std::chrono::milliseconds event_heartbeat{15'000};  ///< longest silence of a stream of events
@@ -54,7 +59,8 @@ class Service {
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
 
-  std::string address() const;  ///< HOST:PORT as bound
+  std::string address() const;  ///< HOST:PORT as bound, or unix:PATH
+  void reload_certificate();    ///< reads the TLS files again, for new connections; logs what is wrong with them
   std::vector<Router::Entry> routes() const { return router_.entries(); }
   /// Calls `answered` after a socket thread and then a thread that reads the store have run it. If threads of either
   /// type are stuck, it is never called.

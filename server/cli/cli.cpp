@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -58,8 +59,9 @@ std::string variable_of(const CLI::Option& option) {
 /// Returns a variable that looks like a setting of the service and is none; empty: there is none. Kubernetes makes
 /// variables for a service of this name.
 std::string unknown_variable(const CLI::App& serve) {
-  static constexpr std::array<std::string_view, 4> others{"BAHNWERK_SERVER", "BAHNWERK_SERVICE_", "BAHNWERK_PORT",
-                                                          "BAHNWERK_TEST_"};
+  static constexpr std::array<std::string_view, 8> others{"BAHNWERK_SERVER", "BAHNWERK_SERVICE_", "BAHNWERK_PORT",
+                                                          "BAHNWERK_TEST_",  "BAHNWERK_KEY",      "BAHNWERK_CA",
+                                                          "BAHNWERK_CERT",   "BAHNWERK_CERT_KEY"};
   for (char** each = environ; *each != nullptr; ++each) {
     const std::string_view line(*each), name = line.substr(0, line.find('='));
     if (!name.starts_with("BAHNWERK_")) continue;
@@ -73,8 +75,40 @@ std::string unknown_variable(const CLI::App& serve) {
 
 void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::string& level) {
   const auto env = [](CLI::Option* option) { option->envname(variable_of(*option)); };
-  env(app.add_option("--listen", options.listen, "address to serve on; port 0 picks a free one")
+  env(app.add_option("--listen", options.listen,
+                     "address to serve on; port 0 picks a free one; unix:PATH is a Unix socket")
           ->type_name("HOST:PORT"));
+  env(app.add_option_function<std::string>(
+             "--socket-mode",
+             [&options](const std::string& text) {
+               unsigned mode = 0;
+               const auto read = std::from_chars(text.data(), text.data() + text.size(), mode, 8);
+               if (read.ec != std::errc() || read.ptr != text.data() + text.size() || mode > 0777)
+                 throw CLI::ValidationError("--socket-mode", "must be permissions such as 660");
+               options.socket_mode = mode;
+             },
+             "permissions of a Unix socket")
+          ->default_str("660")
+          ->type_name("OCTAL"));
+  env(app.add_flag("--insecure-listen", options.insecure_listen,
+                   "serve other machines without a key: something else keeps out who may not ask"));
+  env(app.add_option("--tls-cert", options.tls.certificate,
+                     "certificate, with its chain, PEM: speaks TLS 1.2 and 1.3; read again on SIGHUP")
+          ->type_name("FILE"));
+  env(app.add_option("--tls-key", options.tls.key, "key of the certificate, PEM")->type_name("FILE"));
+  env(app.add_option("--tls-client-ca", options.tls.client_ca,
+                     "authority, PEM: clients need a certificate that it has signed, beside their key")
+          ->type_name("FILE"));
+  env(app.add_option(
+             "--trusted-proxy", options.trusted_proxies,
+             "a proxy whose X-Forwarded-For, -Proto and -Prefix count, as often as needed: an address, a network "
+             "(10.0.0.0/8), or unix for those that come by the Unix socket")
+          ->delimiter(',')
+          ->type_name("ADDRESS"));
+  env(app.add_option("--cors-origin", options.cors_origins,
+                     "a site whose pages may use this service, as often as needed: https://planning.example.com")
+          ->delimiter(',')
+          ->type_name("ORIGIN"));
   env(app.add_option("--store", options.store, "where jobs live: sqlite:PATH")->type_name("URL"));
   env(add_bytes(app, "--store-reserve", options.store_reserve,
                 "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "
@@ -164,9 +198,9 @@ int run(int argc, char** argv, const BuildInfo& build) {
   options.build = build;
   options.max_memory = default_memory_limit(memory_of_host());
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
-  std::string role = "all", level = "info", job, contour, out, id, server = "http://127.0.0.1:8080", format = "csv",
-              layout, frame, key;
+  std::string role = "all", level = "info", job, contour, out, id, format = "csv", layout, frame, key;
   std::string store = options.store, file;
+  Remote remote;
   std::string name, scope = "submit,read";
   std::optional<std::int64_t> max_queued;
   std::chrono::milliseconds patience{60'000}, max_planning{0};
@@ -216,7 +250,25 @@ int run(int argc, char** argv, const BuildInfo& build) {
       ->type_name("GROUP=DELAY")
       ->needs(out_option);
   const auto add_server = [&](CLI::App* command) {
-    command->add_option("--server", server, "where the service is")->envname("BAHNWERK_SERVER")->type_name("URL");
+    command->add_option("--server", remote.server, "where the service is: http://, https:// or unix:PATH")
+        ->envname("BAHNWERK_SERVER")
+        ->type_name("URL");
+    command->add_option("--key", remote.key, "the key to send; --key-file keeps it out of the list of processes")
+        ->envname("BAHNWERK_KEY");
+    command->add_option("--key-file", remote.key_file, "a file with the key in its first line")
+        ->envname("BAHNWERK_KEY_FILE")
+        ->type_name("FILE");
+    command
+        ->add_option("--ca", remote.ca,
+                     "authorities that the server's certificate may come from, PEM; by default the system's")
+        ->envname("BAHNWERK_CA")
+        ->type_name("FILE");
+    command->add_option("--cert", remote.certificate, "certificate to show the server, PEM")
+        ->envname("BAHNWERK_CERT")
+        ->type_name("FILE");
+    command->add_option("--cert-key", remote.certificate_key, "key of that certificate, PEM")
+        ->envname("BAHNWERK_CERT_KEY")
+        ->type_name("FILE");
   };
   const auto add_patience = [&](CLI::App* command) {
     add_seconds(*command, "--patience", patience,
@@ -312,8 +364,8 @@ int run(int argc, char** argv, const BuildInfo& build) {
   try {
     if (*serve_command) return run_serve(*serve_command, options, role, level);
     if (*plan_command) return plan(read_job(job, contour), out, layout, frame, drives);
-    if (*submit_command) return submit(server, read_job(job, contour), key, wait, patience);
-    if (*watch_command) return watch(server, id, patience);
+    if (*submit_command) return submit(remote, read_job(job, contour), key, wait, patience);
+    if (*watch_command) return watch(remote, id, patience);
     if (*backup_command) return backup(store, file);
     if (*add_command)
       return add_key(store, name, scope, max_queued,
@@ -321,8 +373,8 @@ int run(int argc, char** argv, const BuildInfo& build) {
     if (*list_command) return list_keys(store);
     if (*remove_command) return remove_keys(store, name);
     if (*check_command) return check(store);
-    if (*health_command) return health(server, ready);
-    return fetch(server, id, format, layout, frame);
+    if (*health_command) return health(remote, ready);
+    return fetch(remote, id, format, layout, frame);
   } catch (const std::exception& error) {
     std::cerr << "bahnwerk: " << error.what() << '\n';
     return exit_usage;

@@ -26,11 +26,15 @@ int serve(const ServiceOptions& options);
 /// setpoints_coarse.csv; throws std::runtime_error for an entry of another form.
 int plan(const std::string& job, const std::string& out, const std::string& layout, const std::string& frame,
          const std::vector<std::string>& drives = {});
+/// A server, and what it wants to see of its clients. A key file wins over a key.
+struct Remote {
+  std::string server = "http://127.0.0.1:8080", key, key_file, ca, certificate, certificate_key;
+};
 /// `patience` is how long a server is asked again that has answered before and does not now.
-int submit(const std::string& server, const std::string& job, const std::string& key, bool wait,
+int submit(const Remote& server, const std::string& job, const std::string& key, bool wait,
            std::chrono::milliseconds patience);
-int watch(const std::string& server, const std::string& id, std::chrono::milliseconds patience);
-int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout,
+int watch(const Remote& server, const std::string& id, std::chrono::milliseconds patience);
+int fetch(const Remote& server, const std::string& id, const std::string& format, const std::string& layout,
           const std::string& frame);
 /// Copies the store named by a URL into a file while it is in use, and prints what the copy has.
 int backup(const std::string& store, const std::string& file);
@@ -44,7 +48,7 @@ int list_keys(const std::string& store);
 /// Ends the validity of all keys of a name, or of the one with an id; prints them.
 int remove_keys(const std::string& store, const std::string& name_or_id);
 /// Asks whether the process is alive, or with `ready` whether it accepts jobs; prints the answer.
-int health(const std::string& server, bool ready);
+int health(const Remote& server, bool ready);
 
 /// Returns the file's bytes, or stdin's for "-". Throws std::runtime_error with a sentence for the user.
 std::string read_input(const std::string& path);

@@ -1,8 +1,11 @@
 #include "server/cli/http_client.hpp"
 
 #include <array>
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/ssl.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/url/parse.hpp>
@@ -20,65 +23,127 @@ namespace {
 constexpr std::chrono::seconds connect_patience{10};
 constexpr std::chrono::seconds silence_patience{90};  ///< patience beyond the longest wait that a server grants
 
+using Plain = beast::basic_stream<asio::generic::stream_protocol>;
+
 /// Runs one asynchronous operation to its end under the stream's timeout, because synchronous calls have none.
-template <class Start>
-beast::error_code finish(asio::io_context& io, beast::tcp_stream& stream, std::chrono::seconds patience,
-                         Start&& start) {
+template <class Stream, class Start>
+beast::error_code finish(Stream& stream, std::chrono::seconds patience, Start&& start) {
   beast::error_code result;
   stream.expires_after(patience);
   start([&result](beast::error_code error, auto&&...) { result = error; });
+  auto& io = static_cast<asio::io_context&>(stream.get_executor().context());
   io.restart();
   io.run();
   return result;
 }
 
+struct Check {
+  const std::string& url;
+  bool connected;
+  void operator()(const beast::error_code& error, const std::string& what) const {
+    if (error) throw Unreachable("no answer from " + url + ": " + what + ": " + error.message(), connected);
+  }
+};
+
+asio::ssl::context tls_context(const Credentials& credentials) {
+  asio::ssl::context context(asio::ssl::context::tls_client);
+  SSL_CTX_set_min_proto_version(context.native_handle(), TLS1_2_VERSION);
+  beast::error_code error;
+  const auto check = [&](const std::string& file) {
+    if (error) throw std::invalid_argument("cannot take " + file + ": " + error.message());
+  };
+  if (credentials.ca.empty())
+    context.set_default_verify_paths(error);
+  else
+    context.load_verify_file(credentials.ca, error);
+  check(credentials.ca);
+  if (!credentials.certificate.empty()) {
+    context.use_certificate_chain_file(credentials.certificate, error);
+    check(credentials.certificate);
+    const std::string& key = credentials.certificate_key;
+    context.use_private_key_file(key.empty() ? credentials.certificate : key, asio::ssl::context::pem, error);
+    check(key);
+  }
+  context.set_verify_mode(asio::ssl::verify_peer);
+  return context;
+}
+
 }  // namespace
 
-HttpClient::HttpClient(std::string url) : url_(url) {
-  const auto parsed = boost::urls::parse_uri(url);
-  if (parsed && parsed->scheme() == "https")
-    throw std::invalid_argument("https is not available; use http://HOST:PORT");
-  if (!parsed || parsed->scheme() != "http" || parsed->host().empty())
-    throw std::invalid_argument("'" + url_ + "' is no server; expected http://HOST:PORT");
+HttpClient::HttpClient(std::string url, Credentials credentials)
+    : credentials_(std::move(credentials)), url_(std::move(url)) {
+  if (!credentials_.key.empty()) authorization_ = "Bearer " + credentials_.key;
+  if (url_.starts_with("unix:") && url_.size() > 5) {
+    socket_path_ = url_.substr(5);
+    host_ = "localhost";
+    return;
+  }
+  const auto parsed = boost::urls::parse_uri(url_);
+  tls_ = parsed && parsed->scheme() == "https";
+  if (!parsed || (parsed->scheme() != "http" && !tls_) || parsed->host().empty())
+    throw std::invalid_argument("'" + url_ +
+                                "' is no server; expected http://HOST:PORT, https://HOST:PORT or unix:PATH");
   host_ = parsed->host_address();
-  port_ = parsed->has_port() ? std::string(parsed->port()) : "80";
+  port_ = parsed->has_port() ? std::string(parsed->port()) : tls_ ? "443" : "80";
   prefix_ = parsed->encoded_path();
   while (prefix_.ends_with('/')) prefix_.pop_back();
   if (!parsed->has_userinfo()) return;
   authorization_ = "Basic " + api::base64(parsed->user() + ":" + parsed->password());
-  url_ = "http://" + std::string(parsed->encoded_host_and_port()) + prefix_;  // for messages, without the password
+  // For messages, without the password.
+  url_ = std::string(parsed->scheme()) + "://" + std::string(parsed->encoded_host_and_port()) + prefix_;
 }
 
 Response HttpClient::request(const std::string& method, const std::string& target, const Pairs& headers,
                              const std::string& body, const std::function<void(std::string_view)>& sink) const {
   asio::io_context io;
-  beast::tcp_stream stream(io);
-  bool connected = false;
-  const auto check = [&](const beast::error_code& error, const char* what) {
-    if (error) throw Unreachable("no answer from " + url_ + ": " + what + ": " + error.message(), connected);
-  };
   beast::error_code error;
-  const auto found = asio::ip::tcp::resolver(io).resolve(host_, port_, error);
-  check(error, "name lookup");
-  check(finish(io, stream, connect_patience, [&](auto done) { stream.async_connect(found, done); }), "connect");
-  connected = true;
+  const Check check{url_, false};
+  std::optional<Plain> plain;
+  if (!socket_path_.empty()) {
+    asio::local::stream_protocol::socket socket(io);
+    socket.connect(socket_path_, error);
+    check(error, "connect");
+    plain.emplace(std::move(socket));
+  } else {
+    beast::tcp_stream stream(io);
+    const auto found = asio::ip::tcp::resolver(io).resolve(host_, port_, error);
+    check(error, "name lookup");
+    check(finish(stream, connect_patience, [&](auto done) { stream.async_connect(found, done); }), "connect");
+    plain.emplace(stream.release_socket());
+  }
+  if (!tls_) return exchange(*plain, *plain, method, target, headers, body, sink);
+  auto context = tls_context(credentials_);
+  asio::ssl::stream<Plain&> secure(*plain, context);
+  asio::ip::make_address(host_, error);
+  if (error) SSL_set_tlsext_host_name(secure.native_handle(), host_.c_str());  // an address has no place there
+  secure.set_verify_callback(asio::ssl::host_name_verification(host_));
+  const auto shaken = finish(*plain, connect_patience,
+                             [&](auto done) { secure.async_handshake(asio::ssl::stream_base::client, done); });
+  check(shaken, "TLS");
+  return exchange(secure, *plain, method, target, headers, body, sink);
+}
 
+template <class Stream, class Lowest>
+Response HttpClient::exchange(Stream& stream, Lowest& plain, const std::string& method, const std::string& target,
+                              const Pairs& headers, const std::string& body,
+                              const std::function<void(std::string_view)>& sink) const {
+  const Check check{url_, true};
   http::request<http::string_body> message(http::string_to_verb(method), prefix_ + target, 11);
-  message.set(http::field::host, host_ + ":" + port_);
+  message.set(http::field::host, port_.empty() ? host_ : host_ + ":" + port_);
   message.set(http::field::user_agent, "bahnwerk");
   message.set(http::field::connection, "close");
   if (!authorization_.empty()) message.set(http::field::authorization, authorization_);
   for (const auto& [name, value] : headers) message.set(name, value);
   message.body() = body;
   if (method == "POST" || !body.empty()) message.content_length(body.size());
-  const auto sent = finish(io, stream, silence_patience, [&](auto done) { http::async_write(stream, message, done); });
+  const auto sent = finish(plain, silence_patience, [&](auto done) { http::async_write(stream, message, done); });
   // A server that refuses a large body may close its side early; its answer is still worth reading.
   if (sent && sent != asio::error::broken_pipe && sent != asio::error::connection_reset) check(sent, "send");
 
   beast::flat_buffer buffer;
   http::response_parser<http::buffer_body> parser;
   parser.body_limit(boost::none);
-  check(finish(io, stream, silence_patience, [&](auto done) { http::async_read_header(stream, buffer, parser, done); }),
+  check(finish(plain, silence_patience, [&](auto done) { http::async_read_header(stream, buffer, parser, done); }),
         "read");
   Response response;
   response.status = static_cast<int>(parser.get().result_int());
@@ -88,7 +153,7 @@ Response HttpClient::request(const std::string& method, const std::string& targe
     parser.get().body().data = piece.data();
     parser.get().body().size = piece.size();
     auto read =
-        finish(io, stream, silence_patience, [&](auto done) { http::async_read_some(stream, buffer, parser, done); });
+        finish(plain, silence_patience, [&](auto done) { http::async_read_some(stream, buffer, parser, done); });
     if (read == http::error::need_buffer) read = {};
     check(read, "the answer broke off");
     const std::string_view text(piece.data(), piece.size() - parser.get().body().size);

@@ -15,9 +15,17 @@ struct Unreachable : std::runtime_error {
   bool connected;
 };
 
+/// What a server wants to see; files are PEM.
+struct Credentials {
+  std::string key;                           ///< sent as Authorization: Bearer, unless the address has a password
+  std::string ca;                            ///< authorities for the server's certificate; empty: the system's
+  std::string certificate, certificate_key;  ///< the client's own
+};
+
 class HttpClient {
  public:
-  explicit HttpClient(std::string url);  ///< http://[USER:PASSWORD@]HOST[:PORT][/PREFIX]; throws std::invalid_argument
+  /// `url`: http[s]://[USER:PASSWORD@]HOST[:PORT][/PREFIX] or unix:PATH; throws std::invalid_argument.
+  explicit HttpClient(std::string url, Credentials credentials = {});
 
   /// Sends one request on its own connection. The body of a 2xx answer is passed piece by piece to `sink`, if there is
   /// one.
@@ -25,6 +33,13 @@ class HttpClient {
                    const std::string& body = {}, const std::function<void(std::string_view)>& sink = nullptr) const;
 
  private:
+  template <class Stream, class Lowest>
+  Response exchange(Stream& stream, Lowest& plain, const std::string& method, const std::string& target,
+                    const Pairs& headers, const std::string& body,
+                    const std::function<void(std::string_view)>& sink) const;
+  const Credentials credentials_;
+  bool tls_ = false;
+  std::string socket_path_;  ///< of a Unix socket; empty: host and port
   std::string url_, host_, port_, prefix_, authorization_;
 };
 

@@ -119,6 +119,17 @@ Response follow(PatientClient& client, const std::string& id) {
   }
 }
 
+HttpClient client_of(const Remote& remote) {
+  std::string key = remote.key;
+  if (!remote.key_file.empty()) {
+    key = read_input(remote.key_file);
+    key.resize(std::min(key.size(), key.find_first_of("\r\n")));
+  }
+  return HttpClient(
+      remote.server,
+      {.key = key, .ca = remote.ca, .certificate = remote.certificate, .certificate_key = remote.certificate_key});
+}
+
 template <class Work>
 int guarded(Work&& work) {
   try {
@@ -131,9 +142,9 @@ int guarded(Work&& work) {
 
 }  // namespace
 
-int submit(const std::string& server, const std::string& job, const std::string& key, bool wait,
+int submit(const Remote& server, const std::string& job, const std::string& key, bool wait,
            std::chrono::milliseconds patience) {
-  const HttpClient once(server);
+  const HttpClient once = client_of(server);
   PatientClient client(once, patience);
   return guarded([&] {
     Pairs headers{{"Content-Type", "application/json"}, {"Accept", "application/json"}};
@@ -162,8 +173,8 @@ int submit(const std::string& server, const std::string& job, const std::string&
   });
 }
 
-int watch(const std::string& server, const std::string& id, std::chrono::milliseconds patience) {
-  const HttpClient once(server);
+int watch(const Remote& server, const std::string& id, std::chrono::milliseconds patience) {
+  const HttpClient once = client_of(server);
   PatientClient client(once, patience);
   return guarded([&] {
     const Response ended = follow(client, id);
@@ -174,13 +185,13 @@ int watch(const std::string& server, const std::string& id, std::chrono::millise
   });
 }
 
-int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout,
+int fetch(const Remote& server, const std::string& id, const std::string& format, const std::string& layout,
           const std::string& frame) {
   static const std::map<std::string, std::string> types{{"csv", "text/csv"},
                                                         {"ndjson", "application/x-ndjson"},
                                                         {"f64", "application/octet-stream"},
                                                         {"json", "application/json"}};
-  const HttpClient client(server);
+  const HttpClient client = client_of(server);
   return guarded([&] {
     const auto print = [](std::string_view piece) {
       if (std::fwrite(piece.data(), 1, piece.size(), stdout) != piece.size())
@@ -196,8 +207,8 @@ int fetch(const std::string& server, const std::string& id, const std::string& f
   });
 }
 
-int health(const std::string& server, bool ready) {
-  const HttpClient client(server);
+int health(const Remote& server, bool ready) {
+  const HttpClient client = client_of(server);
   return guarded([&] {
     const Response response = client.request("GET", ready ? "/readyz" : "/healthz", {{"Accept", "application/json"}});
     if (response.status != 200) return refused(response);

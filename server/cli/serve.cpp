@@ -23,20 +23,22 @@ timespec to_timespec(std::chrono::milliseconds time) {
   return {.tv_sec = time.count() / 1000, .tv_nsec = time.count() % 1000 * 1'000'000};
 }
 
-/// Waits for one of these signals and returns it. Meanwhile each heartbeat asks the service for a sign of life, which
-/// the manager gets only when the service's threads turn.
+/// Waits for one of these signals and returns it; SIGHUP has the certificate read again. Meanwhile each heartbeat asks
+/// the service for a sign of life, which the manager gets only when the service's threads turn.
 int wait_for_signal(const sigset_t& ends, const Supervisor& supervisor, Service& service) {
   int received = 0;
   const auto heartbeat = supervisor.heartbeat();
   if (!heartbeat) {
-    sigwait(&ends, &received);
+    while (sigwait(&ends, &received) != 0 || received == SIGHUP)
+      if (received == SIGHUP) service.reload_certificate();
     return received;
   }
   const timespec interval = to_timespec(*heartbeat);
   do {
     service.probe([&supervisor] { supervisor.alive(); });
     received = sigtimedwait(&ends, nullptr, &interval);
-  } while (received < 0);
+    if (received == SIGHUP) service.reload_certificate();
+  } while (received < 0 || received == SIGHUP);
   return received;
 }
 
@@ -55,6 +57,7 @@ int serve(const ServiceOptions& options) {
   sigemptyset(&ends);
   sigaddset(&ends, SIGTERM);
   sigaddset(&ends, SIGINT);
+  if (!options.tls.certificate.empty()) sigaddset(&ends, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);
   signal(SIGPIPE, SIG_IGN);
 

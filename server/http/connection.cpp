@@ -1,9 +1,11 @@
 #include "server/http/connection.hpp"
 
 #include <netinet/tcp.h>
+#include <poll.h>
 
 #include <algorithm>
 #include <boost/asio/as_tuple.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -11,6 +13,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 
+#include "server/http/endpoints.hpp"
 #include "server/http/handover.hpp"
 #include "server/runtime/log.hpp"
 
@@ -33,7 +36,7 @@ std::string http_date() {
 
 /// A client whose machine or cable has failed closes nothing: what it does not confirm within this time ends its
 /// connection, a question of ours included that is put to it in silence.
-void notice_vanished_client(asio::ip::tcp::socket& socket) {
+void notice_vanished_client(ClientStream::Socket& socket) {
   using Milliseconds = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_USER_TIMEOUT>;
   using Idle = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPIDLE>;
   using Interval = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPINTVL>;
@@ -54,9 +57,9 @@ void put_headers(Message& message, const Response& response) {
 
 }  // namespace
 
-Connection::Connection(asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context, ConnectionTable::Id id,
-                       bool spare)
-    : stream_(std::move(socket)),
+Connection::Connection(ClientStream::Socket socket, std::shared_ptr<asio::ssl::context> tls,
+                       std::shared_ptr<ConnectionContext> context, ConnectionTable::Id id, bool spare)
+    : stream_(std::move(socket), std::move(tls)),
       context_(std::move(context)),
       buffer_(context_->limits.max_header + max_read),
       timer_(stream_.get_executor()),
@@ -65,8 +68,8 @@ Connection::Connection(asio::ip::tcp::socket socket, std::shared_ptr<ConnectionC
   error_code ignored;
   stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
   notice_vanished_client(stream_.socket());
-  const auto remote = stream_.socket().remote_endpoint(ignored);
-  if (!ignored) peer_ = remote.address().to_string();
+  peer_ = peer_address(stream_.socket());
+  proxied_ = context_->hooks.proxies.contain(peer_);
 }
 
 void Connection::expire(std::chrono::milliseconds base, std::size_t bytes) {
@@ -221,10 +224,8 @@ void Connection::listen(std::function<void()> finish) {
 }
 
 bool Connection::client_left() {
-  tcp_info info{};
-  socklen_t size = sizeof info;
-  const int socket = stream_.socket().native_handle();
-  return ::getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size) != 0 || info.tcpi_state != TCP_ESTABLISHED;
+  pollfd client{.fd = stream_.socket().native_handle(), .events = POLLRDHUP, .revents = 0};
+  return ::poll(&client, 1, 0) != 0;
 }
 
 // Bytes of a further request hide the end of the connection behind them: then its state is asked for, once a second.
@@ -235,7 +236,7 @@ void Connection::finish_when_gone(std::uint64_t answer, bool asked_again) {
     if (self->client_left()) return std::exchange(self->finish_, nullptr)();
     self->finish_when_gone(answer, true);
   };
-  if (!asked_again) return stream_.socket().async_wait(asio::ip::tcp::socket::wait_read, look);
+  if (!asked_again) return stream_.socket().async_wait(asio::socket_base::wait_read, look);
   timer_.expires_after(std::chrono::seconds(1));
   timer_.async_wait(look);
 }
@@ -256,8 +257,14 @@ void Connection::finish_listening() {
 asio::awaitable<void> Connection::linger() {
   // Closing with unread input would reset the connection, and the client might lose the answer.
   error_code ignored;
-  stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   stream_.expires_after(std::chrono::seconds(2));
+  if (stream_.secure()) {  // tells the client that nothing is missing, and waits for its end of the connection
+    lingering_ = true;
+    enter(ConnectionTable::Phase::waiting);
+    co_await stream_.async_shutdown(tuple_awaitable);
+    co_return;
+  }
+  stream_.socket().shutdown(asio::socket_base::shutdown_send, ignored);
   buffer_.clear();
   cut_ = Cut::none;
   lingering_ = true;
@@ -268,7 +275,17 @@ asio::awaitable<void> Connection::linger() {
   }
 }
 
+asio::awaitable<bool> Connection::greet() {
+  if (!stream_.secure()) co_return true;
+  enter(ConnectionTable::Phase::waiting);
+  stream_.expires_after(context_->limits.header_timeout);
+  auto [error] = co_await stream_.async_handshake(tuple_awaitable);
+  co_return !error && cut_ == Cut::none;
+}
+
 asio::awaitable<void> Connection::serve() {
+  const bool greeted = co_await greet();
+  if (!greeted) co_return stream_.close();
   for (;;) {
     std::optional<Incoming> incoming = co_await read();
     if (!incoming) break;
@@ -277,6 +294,7 @@ asio::awaitable<void> Connection::serve() {
     const bool written = co_await write(std::move(response), *incoming);
     stop_listening();
     if (!written) break;
+    if (proxied_) context_->table.assign(id_, "", std::chrono::steady_clock::now());
     if (!incoming->keep_alive) {
       co_await linger();
       break;

@@ -4,15 +4,14 @@
 #include <atomic>
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <functional>
 #include <memory>
 #include <optional>
 
 #include "server/http/body_budget.hpp"
+#include "server/http/client_stream.hpp"
 #include "server/http/connection_table.hpp"
 #include "server/http/listener.hpp"
 #include "server/http/message.hpp"
@@ -40,8 +39,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
  public:
   enum class Cut { none, timeout, crowded, closing };
   /// A `spare` connection serves one request, for health or readiness, and answers 503 to any other.
-  Connection(boost::asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context, ConnectionTable::Id id,
-             bool spare);
+  Connection(ClientStream::Socket socket, std::shared_ptr<boost::asio::ssl::context> tls,
+             std::shared_ptr<ConnectionContext> context, ConnectionTable::Id id, bool spare);
 
   boost::asio::awaitable<void> serve();  ///< serves requests until the client or a fault ends the connection
   /// Closes the connection unless a request is being answered; a client in the middle of a request gets a 408. From any
@@ -76,13 +75,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void stop_listening();
   boost::asio::awaitable<bool> write_raw(std::string text);
   boost::asio::awaitable<void> linger();
+  boost::asio::awaitable<bool> greet();  ///< the handshake of TLS, if there is TLS
   void expire(std::chrono::milliseconds base, std::size_t bytes);
   void read_until(Time until);  ///< reading is cut at that time
   void stop_clock();
   void stop_reading(Cut why);
   void enter(ConnectionTable::Phase phase);
 
-  boost::beast::tcp_stream stream_;
+  ClientStream stream_;
   std::shared_ptr<ConnectionContext> context_;
   boost::beast::flat_buffer buffer_;
   boost::asio::steady_timer timer_;
@@ -91,6 +91,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   const ConnectionTable::Id id_;
   const bool spare_;
   const Time connected_ = std::chrono::steady_clock::now();
+  bool proxied_ = false;  ///< whether a trusted proxy asks, for clients whose addresses it tells
   bool reading_ = false, first_ = true;
   bool lingering_ = false;        ///< the last answer is written, and the client has not closed its side yet
   bool leaving_ = false;          ///< the current request is the last

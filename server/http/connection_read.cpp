@@ -7,6 +7,7 @@
 #include <new>
 
 #include "server/http/connection.hpp"
+#include "server/http/endpoints.hpp"
 #include "server/http/handover.hpp"
 #include "server/http/uri.hpp"
 
@@ -141,6 +142,7 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   };
   Request& request = *incoming.request;
   request.peer = peer_;
+  request.secure = stream_.secure();
   stream_.expires_never();
   cut_ = Cut::none;
   enter(ConnectionTable::Phase::waiting);
@@ -169,6 +171,7 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   request.method = message.method_string();
   request.target = message.target();
   for (const auto& field : message) request.headers.emplace_back(lower(field.name_string()), field.value());
+  if (proxied_) apply_forwarded(context_->hooks.proxies, request);
   incoming.http_1_0 = message.version() == 10;
   incoming.keep_alive = message.keep_alive() && !context_->closing && !spare_;
 
@@ -192,6 +195,10 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   request.query = target->query;
   if (spare_ && request.path != "/healthz" && request.path != "/readyz")
     co_return broken(503, "All connections are in use; this one serves health and readiness only.");
+
+  if (proxied_ && !context_->table.assign(id_, request.peer == peer_ ? "" : address_key(request.peer),
+                                          std::chrono::steady_clock::now()))
+    co_return broken(503, "The client of the proxy has all the connections that one address may have.");
 
   if (!parser.is_done()) {
     const auto expect = request.header("expect");

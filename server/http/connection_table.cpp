@@ -56,7 +56,8 @@ ConnectionTable::Admission ConnectionTable::admit(const std::string& address, Ti
   if (entries_.size() >= 2 * rules_.most + rules_.spare) return result;
   bool spare = false;
   const auto group = addresses_.find(address);
-  if (rules_.max_per_address > 0 && group != addresses_.end() && group->second.count >= rules_.max_per_address) {
+  if (rules_.max_per_address > 0 && !address.empty() && group != addresses_.end() &&
+      group->second.count >= rules_.max_per_address) {
     result.leave = oldest(group->second.waiting, now);
     spare = !result.leave;
   } else if (all_.count >= rules_.most) {
@@ -99,11 +100,33 @@ std::optional<ConnectionTable::Id> ConnectionTable::enter(Id id, Phase phase, Ti
     return most > 0 && group.listening.size() > std::max<std::size_t>(1, most - most / 4);
   };
   const Group& own = addresses_.at(entry.address);
-  const Group* full = crowded(own, rules_.max_per_address) ? &own : crowded(all_, rules_.most) ? &all_ : nullptr;
+  const Group* full = crowded(own, entry.address.empty() ? 0 : rules_.max_per_address) ? &own
+                      : crowded(all_, rules_.most)                                     ? &all_
+                                                                                       : nullptr;
   if (!full) return std::nullopt;
   const Id oldest = full->listening.begin()->second;
   change(oldest, Phase::busy, now);
   return oldest;
+}
+
+bool ConnectionTable::assign(Id id, const std::string& address, Time now) {
+  const std::lock_guard lock(mutex_);
+  const auto found = entries_.find(id);
+  if (found == entries_.end() || found->second.spare || found->second.leaving) return true;
+  Entry& entry = found->second;
+  if (entry.address == address) return true;
+  const auto group = addresses_.find(address);
+  if (!address.empty() && rules_.max_per_address > 0 && group != addresses_.end() &&
+      group->second.count >= rules_.max_per_address)
+    return false;
+  unlist(id, entry);
+  const auto former = addresses_.find(entry.address);
+  if (--former->second.count == 0) addresses_.erase(former);
+  entry.address = address;
+  entry.since = now;
+  ++addresses_[address].count;
+  list(id, entry);
+  return true;
 }
 
 void ConnectionTable::remove(Id id) {

@@ -42,6 +42,9 @@ class ConnectionTable {
   Admission admit(const std::string& address, Time now);
   /// Returns the listener whose answer has to end, if there are too many.
   std::optional<Id> enter(Id id, Phase phase, Time now);
+  /// Counts the connection for another address: that of the client for which a proxy asks. An empty one has no limit.
+  /// Returns false, without a change, if that address has all connections that it may have.
+  bool assign(Id id, const std::string& address, Time now);
   void remove(Id id);
   std::optional<Id> longest_waiting(Time now);  ///< returns the connection to close when descriptors have run out
   std::size_t size() const;

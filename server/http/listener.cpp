@@ -1,9 +1,17 @@
 #include "server/http/listener.hpp"
 
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
 #include <boost/asio/as_tuple.hpp>
+#include <boost/asio/basic_socket_acceptor.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
@@ -15,6 +23,8 @@
 #include <vector>
 
 #include "server/http/connection.hpp"
+#include "server/http/endpoints.hpp"
+#include "server/http/tls.hpp"
 #include "server/runtime/log.hpp"
 
 namespace bahnwerk::server {
@@ -62,19 +72,6 @@ class Open {
   std::map<ConnectionTable::Id, std::weak_ptr<Connection>> list_;
 };
 
-/// Returns the unit of the limit per address: an IPv4 address, or the /64 that belongs to one IPv6 customer.
-std::string address_key(const tcp::socket& socket) {
-  boost::system::error_code error;
-  const auto remote = socket.remote_endpoint(error);
-  if (error) return {};
-  const auto address = remote.address();
-  if (address.is_v4()) return address.to_string();
-  const auto v6 = address.to_v6();
-  if (v6.is_v4_mapped()) return asio::ip::make_address_v4(asio::ip::v4_mapped, v6).to_string();
-  const auto bytes = v6.to_bytes();
-  return {bytes.begin(), bytes.begin() + 8};
-}
-
 struct Address {
   std::string host, port;
 };
@@ -95,7 +92,11 @@ Address split_address(const std::string& text) {
 
 struct Listener::State {
   asio::io_context io;
-  tcp::acceptor acceptor{asio::make_strand(io)};
+  asio::basic_socket_acceptor<asio::generic::stream_protocol> acceptor{asio::make_strand(io)};
+  std::string socket_path;  ///< of a Unix socket; empty: TCP
+  TlsFiles tls_files;
+  std::mutex tls_mutex;
+  std::shared_ptr<asio::ssl::context> tls;  ///< of new connections; nullptr: plain HTTP
   std::shared_ptr<ConnectionContext> context;
   Open open;
   std::vector<std::thread> threads;
@@ -128,13 +129,21 @@ struct Listener::State {
     }
   }
 
-  void spawn(tcp::socket socket) {
-    const auto admission = context->table.admit(address_key(socket), std::chrono::steady_clock::now());
+  std::shared_ptr<asio::ssl::context> current_tls() {
+    const std::lock_guard lock(tls_mutex);
+    return tls;
+  }
+
+  void spawn(ClientStream::Socket socket) {
+    const std::string peer = peer_address(socket);
+    const std::string key = context->hooks.proxies.contain(peer) ? "" : address_key(peer);
+    const auto admission = context->table.admit(key, std::chrono::steady_clock::now());
     if (admission.leave) open.cut(*admission.leave);
     if (admission.place == ConnectionTable::Place::none) return;  // even a polite refusal has its limit
     const bool spare = admission.place == ConnectionTable::Place::spare;
     const auto executor = socket.get_executor();
-    const auto connection = std::make_shared<Connection>(std::move(socket), context, admission.id, spare);
+    const auto connection =
+        std::make_shared<Connection>(std::move(socket), current_tls(), context, admission.id, spare);
     context->hooks.connections(open.add(admission.id, connection));
     asio::co_spawn(executor, run(connection, admission.id), asio::detached);
   }
@@ -158,7 +167,38 @@ Listener::Listener(Limits limits, ListenerHooks hooks) : state_(std::make_unique
 
 Listener::~Listener() { stop(std::chrono::milliseconds(0)); }
 
-void Listener::open(const std::string& address) {
+void Listener::open(const std::string& address, const TlsFiles& tls, unsigned mode) {
+  state_->tls_files = tls;
+  state_->tls = make_tls(tls);
+  constexpr std::string_view local = "unix:";
+  address.starts_with(local) ? open_local(address.substr(local.size()), mode) : open_tcp(address);
+}
+
+void Listener::open_local(const std::string& path, unsigned mode) {
+  if (path.empty() || path.size() >= sizeof(sockaddr_un::sun_path))
+    throw std::runtime_error("'" + path + "' is no path of a Unix socket; expected unix:/PATH of at most 107 bytes");
+  const asio::local::stream_protocol::endpoint endpoint(path);
+  boost::system::error_code error;
+  struct stat found {};
+  if (::lstat(path.c_str(), &found) == 0) {
+    if (!S_ISSOCK(found.st_mode)) throw std::runtime_error(path + " exists and is no socket");
+    asio::local::stream_protocol::socket probe(state_->io);
+    probe.connect(endpoint, error);
+    if (error != asio::error::connection_refused) throw std::runtime_error(path + " is taken by another program");
+    ::unlink(path.c_str());  // its process has ended
+  }
+  auto& acceptor = state_->acceptor;
+  acceptor.open(endpoint.protocol());
+  const mode_t before = ::umask(0177);  // nobody else connects before it has its permissions
+  acceptor.bind(endpoint, error);
+  ::umask(before);
+  if (!error && ::chmod(path.c_str(), mode) != 0) error.assign(errno, boost::system::system_category());
+  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (error) throw std::runtime_error("cannot listen on " + path + ": " + error.message());
+  state_->socket_path = path;
+}
+
+void Listener::open_tcp(const std::string& address) {
   const Address where = split_address(address);
   boost::system::error_code error;
   tcp::resolver resolver(state_->io);
@@ -178,7 +218,7 @@ void Listener::open(const std::string& address) {
   auto& acceptor = state_->acceptor;
   acceptor.open(endpoint.protocol(), error);
   check("open");
-  acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  acceptor.set_option(asio::socket_base::reuse_address(true), error);
   acceptor.bind(endpoint, error);
   check("bind");
   acceptor.listen(asio::socket_base::max_listen_connections, error);
@@ -186,9 +226,21 @@ void Listener::open(const std::string& address) {
 }
 
 std::string Listener::address() const {
-  const auto endpoint = state_->acceptor.local_endpoint();
+  if (!state_->socket_path.empty()) return "unix:" + state_->socket_path;
+  const auto endpoint = tcp_endpoint(state_->acceptor.local_endpoint()).value();
   const std::string host = endpoint.address().to_string();
   return (endpoint.address().is_v6() ? "[" + host + "]" : host) + ":" + std::to_string(endpoint.port());
+}
+
+bool Listener::reachable() const {
+  const auto endpoint = tcp_endpoint(state_->acceptor.local_endpoint());
+  return endpoint && !endpoint->address().is_loopback();
+}
+
+void Listener::reload_certificate() {
+  auto tls = make_tls(state_->tls_files);
+  const std::lock_guard lock(state_->tls_mutex);
+  state_->tls.swap(tls);
 }
 
 void Listener::start(unsigned threads) {
@@ -209,6 +261,7 @@ bool Listener::stop(std::chrono::milliseconds patience) {
   state_->io.stop();
   for (auto& thread : state_->threads) thread.join();
   state_->threads.clear();
+  if (!state_->socket_path.empty()) ::unlink(state_->socket_path.c_str());
   return finished;
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "server/http/forwarded.hpp"
 #include "server/http/message.hpp"
 
 namespace bahnwerk::server {
@@ -27,11 +28,18 @@ struct Limits {
   std::chrono::milliseconds write_timeout{30'000};  ///< limit for each piece of an answer, plus 1 s per 100 kB of it
 };
 
+/// Files in PEM form. Without a certificate the service speaks plain HTTP; with `client_ca` it speaks to nobody without
+/// a certificate that this authority has signed.
+struct TlsFiles {
+  std::string certificate, key, client_ca;
+};
+
 struct ListenerHooks {
   Handler handler;  ///< handler, called on the socket threads: must not block
   std::function<void(std::function<void()>)>
       offload;  ///< runs blocking work (pulling streamed bodies) on other threads
   std::function<void(std::size_t)> connections = [](std::size_t) {};  ///< receives the number of open connections
+  TrustedProxies proxies = {};                                        ///< whose word about their clients counts
 };
 
 class Listener {
@@ -41,10 +49,13 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
-  /// Binds HOST:PORT ([::1]:8080 for IPv6; port 0 picks a free one). Throws std::runtime_error with a sentence for the
+  /// Binds HOST:PORT ([::1]:8080 for IPv6; port 0 picks a free one) or unix:PATH, whose socket gets the permissions
+  /// `mode`; one that a former process has left is replaced. Throws std::runtime_error with a sentence for the
   /// operator.
-  void open(const std::string& address);
-  std::string address() const;  ///< the bound address, "127.0.0.1:8080"
+  void open(const std::string& address, const TlsFiles& tls = {}, unsigned mode = 0660);
+  std::string address() const;  ///< the bound address, "127.0.0.1:8080" or "unix:/run/bahnwerk.sock"
+  bool reachable() const;       ///< whether other machines reach it
+  void reload_certificate();    ///< reads the TLS files again, for new connections; throws std::runtime_error
   void start(unsigned threads);
   /// Runs `work`, which must not block, on a socket thread.
   void post(std::function<void()> work);
@@ -53,6 +64,8 @@ class Listener {
   bool stop(std::chrono::milliseconds patience);
 
  private:
+  void open_local(const std::string& path, unsigned mode);
+  void open_tcp(const std::string& address);
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "server/http/answer.hpp"
+#include "server/keys/key_ring.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/uuid7.hpp"
@@ -31,7 +32,8 @@ std::string job_of(const Request& request, const Response& response) {
   constexpr std::string_view jobs = "/v1/jobs/";
   for (const auto& [name, value] : request.parameters)
     if (name == "id") return value.substr(0, 100);
-  const std::string made = response.header("Location").value_or("");
+  std::string made = response.header("Location").value_or("");
+  if (made.starts_with(request.prefix)) made.erase(0, request.prefix.size());
   return made.starts_with(jobs) ? made.substr(jobs.size()) : "";
 }
 
@@ -59,10 +61,51 @@ Middleware access_log() {
                          {"route", route_label(*request)}, {"path", request->path.substr(0, 500)},
                          {"status", response.status},      {"ms", seconds_since(start) * 1e3},
                          {"peer", request->peer}};
+        if (request->key) line.push_back({"key", request->key->key.name});
         if (const std::string job = job_of(*request, response); !job.empty()) line.push_back({"job", job});
         if (const auto trace = request->header("traceparent")) line.push_back({"traceparent", trace->substr(0, 100)});
         if (!response.stream) line.push_back({"bytes", response.body.size()});
         log::info("request", line);
+        reply(std::move(response));
+      });
+    };
+  };
+}
+
+Middleware audit() {
+  return [](Handler next) -> Handler {
+    return [next = std::move(next)](RequestPtr request, Reply reply) {
+      const std::string& method = request->method;
+      if (method == "GET" || method == "HEAD" || method == "OPTIONS") return next(std::move(request), std::move(reply));
+      next(request, [reply = std::move(reply), request](Response response) {
+        if (request->key)
+          log::audit({{"action", request->method + " " + request->route},
+                      {"job", job_of(*request, response)},
+                      {"key", request->key->key.name},
+                      {"key_id", request->key->key.id},
+                      {"peer", request->peer},
+                      {"status", response.status},
+                      {"request", request->id}});
+        reply(std::move(response));
+      });
+    };
+  };
+}
+
+Middleware prefixed() {
+  return [](Handler next) -> Handler {
+    return [next = std::move(next)](RequestPtr request, Reply reply) {
+      if (request->prefix.empty()) return next(std::move(request), std::move(reply));
+      next(request, [reply = std::move(reply), request](Response response) {
+        const std::string& prefix = request->prefix;
+        if (const auto location = response.header("Location"); location && location->starts_with('/'))
+          response.set("Location", prefix + *location);
+        // In a page no text of a user has a quotation mark that is not escaped.
+        if (response.header("Content-Type").value_or("").starts_with("text/html"))
+          for (const std::string_view attribute : {" href=\"/", " src=\"/", " action=\"/"})
+            for (std::size_t at = response.body.find(attribute); at != std::string::npos;
+                 at = response.body.find(attribute, at + attribute.size() + prefix.size()))
+              response.body.insert(at + attribute.size() - 1, prefix);
         reply(std::move(response));
       });
     };

@@ -1,5 +1,5 @@
 #pragma once
-/// Steps of every request, in this order from the outside: request_id, access_log, count, guard.
+/// Steps of every request, from the outside: request_id, access_log, audit, count, guard, prefixed.
 #include "server/http/message.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/runtime/pool.hpp"
@@ -11,6 +11,11 @@ Middleware request_id();
 /// Logs one line per request: id, method, route, path, status, ms until the answer's first byte, bytes of its body, the
 /// job that it is about or has made, the client's traceparent [W3C Trace Context].
 Middleware access_log();
+/// Writes a line for every request of a key that may change something: who (key, its id, address), what, which job, and
+/// how it ended.
+Middleware audit();
+/// Puts the prefix of the request's proxy before the addresses in Location and in pages.
+Middleware prefixed();
 /// Counts requests by route, method and status, their latency, apart from it that of requests that were told to wait,
 /// and problems by their slug.
 Middleware count(Metrics& metrics);

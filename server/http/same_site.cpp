@@ -1,6 +1,7 @@
 #include "server/http/same_site.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "api/problem.hpp"
 #include "api/text/pointer.hpp"
@@ -30,6 +31,10 @@ bool same_origin(const std::string& origin, const std::string& authority) {
   return host && host == host_of(authority) && port_of(other, scheme) == port_of(authority, scheme);
 }
 
+bool allows(const AllowedHosts& hosts, const std::string& origin) {
+  return std::find(hosts.origins.begin(), hosts.origins.end(), origin) != hosts.origins.end();
+}
+
 void check(const AllowedHosts& hosts, const Request& request) {
   const auto host = host_of(request.authority);
   if (!request.authority.empty() && !(host && hosts.contain(*host)))
@@ -37,7 +42,7 @@ void check(const AllowedHosts& hosts, const Request& request) {
                                         "; its operator can allow it (--allowed-host, BAHNWERK_ALLOWED_HOST).");
   const bool safe = request.method == "GET" || request.method == "HEAD" || request.method == "OPTIONS";
   const auto origin = request.header("origin");
-  if (!safe && origin && !same_origin(*origin, request.authority))
+  if (!safe && origin && !same_origin(*origin, request.authority) && !allows(hosts, *origin))
     throw api::Problem("forbidden", "A page of " + api::in_quotes(*origin) + " may change nothing here.");
 }
 
@@ -53,6 +58,45 @@ AllowedHosts allowed_hosts(const std::string& listen, const std::string& bound, 
   hosts.any = given.empty() && !loopback(host_of(bound).value_or(""));
   if (const auto own = host_of(listen)) hosts.names.push_back(*own);
   return hosts;
+}
+
+void check_origins(const std::vector<std::string>& origins) {
+  for (const std::string& origin : origins) {
+    const std::size_t end = origin.find("://");
+    const bool good = (origin.starts_with("http://") || origin.starts_with("https://")) &&
+                      host_of(std::string_view(origin).substr(end + 3)) &&
+                      origin.find_first_of("/*", end + 3) == std::string::npos;
+    if (!good)
+      throw std::runtime_error("'" + origin + "' is no origin; expected for example https://planning.example.com");
+  }
+}
+
+Middleware cors(const AllowedHosts& hosts) {
+  return [&hosts](Handler next) -> Handler {
+    return [&hosts, next = std::move(next)](RequestPtr request, Reply reply) {
+      const auto origin = request->header("origin");
+      if (hosts.origins.empty()) return next(std::move(request), std::move(reply));
+      const bool allowed = origin && allows(hosts, *origin);
+      const bool asks_before = request->method == "OPTIONS" && request->header("access-control-request-method");
+      next(std::move(request), [reply = std::move(reply), origin, allowed, asks_before](Response response) {
+        const auto vary = response.header("Vary");
+        response.set("Vary", vary ? *vary + ", Origin" : "Origin");
+        if (allowed) {
+          response.set("Access-Control-Allow-Origin", *origin);
+          response.set("Access-Control-Expose-Headers",
+                       "ETag, Location, Preference-Applied, Retry-After, WWW-Authenticate, X-Columns, X-Request-Id");
+        }
+        if (allowed && asks_before) {
+          response.set("Access-Control-Allow-Methods", response.header("Allow").value_or("GET"));
+          response.set("Access-Control-Allow-Headers",
+                       "Accept, Authorization, Content-Encoding, Content-Type, Idempotency-Key, If-Match, "
+                       "If-None-Match, Last-Event-ID, Prefer, X-Request-Id, traceparent");
+          response.set("Access-Control-Max-Age", "600");
+        }
+        reply(std::move(response));
+      });
+    };
+  };
 }
 
 Middleware same_site(const AllowedHosts& hosts) {

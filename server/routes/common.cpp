@@ -17,8 +17,15 @@ api::Job find_job(Context& context, const std::string& id) {
   return std::move(*job);
 }
 
-Response job_answer(int status, const api::Job& job) {
-  Response response = json_answer(status, api::job_resource(job));
+nlohmann::ordered_json job_resource(const api::Job& job, const std::string& prefix) {
+  auto resource = api::job_resource(job);
+  if (!prefix.empty())
+    for (auto& [name, link] : resource["links"].items()) link = prefix + link.get<std::string>();
+  return resource;
+}
+
+Response job_answer(int status, const Request& request, const api::Job& job) {
+  Response response = json_answer(status, job_resource(job, request.prefix));
   response.set("ETag", job_etag(job));
   return response;
 }

@@ -2,6 +2,7 @@
 /// The objects that handlers use, and the functions that add handlers to the router. One file per group of addresses.
 #include <atomic>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 
 #include "server/http/router.hpp"
 #include "server/jobs/live.hpp"
@@ -54,7 +55,9 @@ api::Job require_success(Context& context, const std::string& id);
 api::Job require_result(Context& context, const std::string& id);
 bool final(const api::Job& job);  ///< returns whether the job has ended
 std::string job_etag(const api::Job& job);
-Response job_answer(int status, const api::Job& job);
+/// Returns the job resource with the prefix of the proxy, if there is one, before its links.
+nlohmann::ordered_json job_resource(const api::Job& job, const std::string& prefix);
+Response job_answer(int status, const Request& request, const api::Job& job);
 /// Throws Problem not-acceptable unless the request accepts application/json.
 void require_json(const Request& request);
 /// Answers 304 when If-None-Match names `etag` (quotes included), else `response` with it.

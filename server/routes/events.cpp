@@ -23,8 +23,8 @@ std::string event(std::string_view name, std::uint64_t id, const nlohmann::order
 /// there is nothing new.
 class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> {
  public:
-  JobFeed(Context& context, std::string id, std::uint64_t known, std::shared_ptr<const HeldKey> key)
-      : context_(context), id_(std::move(id)), key_(std::move(key)), sent_(known) {}
+  JobFeed(Context& context, std::string id, std::uint64_t known, const Request& request)
+      : context_(context), id_(std::move(id)), key_(request.key), prefix_(request.prefix), sent_(known) {}
 
   void next(Ready ready) override {
     ready_ = std::move(ready);
@@ -93,9 +93,9 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
       before.stage = before.message = "";
       before.finished_at = std::nullopt;
       before.error = std::nullopt;
-      text += event("state", job.revision - 1, api::job_resource(before));
+      text += event("state", job.revision - 1, job_resource(before, prefix_));
     }
-    const auto resource = api::job_resource(job);
+    const auto resource = job_resource(job, prefix_);
     text += entered ? event("state", job.revision, resource) : event("progress", job.revision, resource["progress"]);
     if (job.state == api::JobState::queued) queued_ = job.revision;
     sent_ = job.revision;
@@ -106,7 +106,8 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
   Context& context_;
   const std::string id_;
   const std::shared_ptr<const HeldKey> key_;  ///< the stream ends when it is removed
-  std::uint64_t sent_;                        ///< the revision that the client has
+  const std::string prefix_;
+  std::uint64_t sent_;        ///< the revision that the client has
   std::uint64_t queued_ = 1;  ///< the revision at which it saw the job in the queue; every job begins there with 1
   bool begun_ = false, ended_ = false;
   Clock::time_point last_event_{}, last_piece_{};
@@ -138,7 +139,7 @@ Response begin(Context& context, const Request& request) {
   if (known > job.revision) known = 0;  // the number is of another job, or made up
   response.set("Content-Type", "text/event-stream");
   response.set("X-Accel-Buffering", "no");  // proxies hold answers back until they have a block
-  response.feed = std::make_shared<JobFeed>(context, job.id, known, request.key);
+  response.feed = std::make_shared<JobFeed>(context, job.id, known, request);
   return response;
 }
 

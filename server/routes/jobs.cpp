@@ -56,7 +56,7 @@ Response list(Context& context, const Request& request) {
   auto page = nlohmann::ordered_json::array();
   for (auto& job : jobs) {
     context.live.overlay(job);
-    page.push_back(api::job_resource(job));
+    page.push_back(job_resource(job, request.prefix));
   }
   nlohmann::ordered_json document{{"jobs", std::move(page)}, {"next", nullptr}};
   if (more) document["next"] = jobs.back().id;
@@ -71,7 +71,7 @@ Response cancel(Context& context, const Request& request) {
   require_precondition(request, find_job(context, id));
   if (!context.store.cancel(id, context.time.now_ms()))
     throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
-  Response response = job_answer(202, find_job(context, id));
+  Response response = job_answer(202, request, find_job(context, id));
   response.set("Location", "/v1/jobs/" + id);
   return response;
 }

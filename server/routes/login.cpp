@@ -51,7 +51,7 @@ Response login(const KeyRing& keys, const Request& request) {
   if (!keys.find(key)) return form(to, true);
   Response response;
   response.status = 303;
-  response.set("Location", request.prefix + to);
+  response.set("Location", to);
   response.set("Cache-Control", "no-store");
   response.set("Set-Cookie", std::string(key_cookie) + "=" + key + "; Path=" + request.prefix +
                                  "/; HttpOnly; SameSite=Strict" + (request.secure ? "; Secure" : ""));

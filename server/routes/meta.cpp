@@ -16,6 +16,15 @@
 namespace bahnwerk::server {
 namespace {
 
+/// What can be asked, with a proxy's prefix before the schemas' addresses.
+void kinds(const RequestPtr& request, const Reply& reply) {
+  require_json(*request);
+  auto document = api::kinds_document();
+  for (auto& kind : document["kinds"])
+    for (const char* link : {"schema", "result_schema"}) kind[link] = request->prefix + kind[link].get<std::string>();
+  reply(json_answer(200, document).set("Cache-Control", "max-age=60"));
+}
+
 /// Texts that do not change while the process runs.
 Handler constant(const std::function<std::string()>& make, std::string type) {
   const auto text = std::make_shared<const std::string>(make());
@@ -69,8 +78,7 @@ void problem_page(const RequestPtr& request, const Reply& reply) {
 }  // namespace
 
 void add_meta_routes(Router& router, Context&) {
-  router.add("GET", "/v1/kinds", Access::any,
-             constant([] { return api::kinds_document().dump(); }, "application/json"));
+  router.add("GET", "/v1/kinds", Access::any, kinds);
   router.add("GET", "/openapi.json", Access::any,
              constant([] { return api::openapi_document().dump(2); }, "application/json"));
   router.add("GET", "/v1/schemas/{name}", Access::any, schema);

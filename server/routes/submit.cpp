@@ -83,7 +83,7 @@ Response accepted(Context& context, const Request& request, const Inserted& inse
       break;
   }
   const api::Job job = find_job(context, inserted.id);
-  Response response = job_answer(202, job);
+  Response response = job_answer(202, request, job);
   response.set("Location", "/v1/jobs/" + job.id);
   return response;
 }

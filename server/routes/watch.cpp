@@ -12,7 +12,7 @@ namespace {
 constexpr int longest_wait = 60;
 
 Response current(const Request& request, const api::Job& job) {
-  return unless_known(request, job_etag(job), [&] { return job_answer(200, job); });
+  return unless_known(request, job_etag(job), [&] { return job_answer(200, request, job); });
 }
 
 /// One delayed request. It reads the job on the pool, and again whenever the notifier calls.

@@ -41,15 +41,25 @@ constexpr std::string_view names[] = {"debug", "info", "warn", "error"};
 
 void set_level(Level level) { logger().set_level(spd(level)); }
 
-void write(Level level, std::string_view event, const Fields& fields) {
-  if (!logger().should_log(spd(level))) return;
+namespace {
+
+std::string line_of(Level level, std::string_view event, const Fields& fields) {
   nlohmann::ordered_json line{
       {"time", api::rfc3339(now_ms())}, {"level", names[static_cast<int>(level)]}, {"event", event}};
   for (const Field& field : fields)
     std::visit([&](const auto& value) { line[std::string(field.name)] = value; }, field.value.variant());
   // Broken UTF-8 from a client must not lose the line.
-  const std::string text = line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  logger().log(spd(level), spdlog::string_view_t(text));
+  return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void write(Level level, std::string_view event, const Fields& fields) {
+  if (logger().should_log(spd(level))) logger().log(spd(level), spdlog::string_view_t(line_of(level, event, fields)));
+}
+
+void audit(const Fields& fields) {
+  logger().log(spdlog::level::critical, spdlog::string_view_t(line_of(Level::info, "audit", fields)));
 }
 
 }  // namespace bahnwerk::server::log

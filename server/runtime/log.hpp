@@ -34,6 +34,9 @@ enum class Level { debug, info, warn, error };
 void set_level(Level level);
 void write(Level level, std::string_view event, const Fields& fields = {});
 
+/// Writes a line that no level suppresses: who changed what.
+void audit(const Fields& fields);
+
 inline void info(std::string_view event, const Fields& fields = {}) { write(Level::info, event, fields); }
 inline void warn(std::string_view event, const Fields& fields = {}) { write(Level::warn, event, fields); }
 inline void error(std::string_view event, const Fields& fields = {}) { write(Level::error, event, fields); }

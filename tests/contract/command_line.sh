@@ -55,7 +55,7 @@ for flag in listen store workers role drain-timeout max-queued max-body; do
   grep -q -- "--$flag .*BAHNWERK_${flag//-/_}" <(tr 'a-z-' 'A-Z_' <"$work/out") 2>/dev/null ||
     grep -qi -- "--$flag.*(Env:BAHNWERK_$(tr 'a-z-' 'A-Z_' <<<"$flag"))" "$work/out" || fail "help names --$flag and its variable"
 done
-expect_equal "$(code_of "$bahnwerk" fetch x --server https://localhost)" 2
+expect_equal "$(code_of "$bahnwerk" fetch x --server https://127.0.0.1:1)" 3
 expect_equal "$(code_of "$bahnwerk" fetch x --server nonsense)" 2
 
 # Refusals of serve, each a sentence.

@@ -18,11 +18,11 @@ fail() {
   exit 1
 }
 
-# start_server [flags of serve…]: sets $url. The store stays the same over restarts within a test. Planners have the priority of what else the machine
+# start_server [flags of serve…]: sets $url; $listen is the address, a free port unless set. The store stays the same over restarts within a test. Planners have the priority of what else the machine
 # runs: below it they might not get a turn for minutes.
 start_server() {
   : >"$work/log"
-  "$bahnwerk" serve --listen 127.0.0.1:0 --worker-nice 0 --store "sqlite:${store:-$work/store.db}" "$@" 2>>"$work/log" &
+  "$bahnwerk" serve --listen "${listen:-127.0.0.1:0}" --worker-nice 0 --store "sqlite:${store:-$work/store.db}" "$@" 2>>"$work/log" &
   server_pid=$!
   for _ in $(seq 600); do
     address=$(jq -rR 'fromjson? | select(.event == "listening").address' "$work/log" 2>/dev/null || true)

@@ -7,9 +7,9 @@ namespace {
 
 TEST(HttpClient, TakesServers) {
   for (const char* url : {"http://localhost:8080", "http://127.0.0.1", "http://[::1]:8080/", "http://host/prefix/",
-                          "http://user:secret@host"})
+                          "http://user:secret@host", "https://localhost", "unix:/run/x.sock"})
     EXPECT_NO_THROW(HttpClient{url}) << url;
-  for (const char* url : {"", "localhost:8080", "https://localhost", "ftp://x", "http://", "nonsense"})
+  for (const char* url : {"", "localhost:8080", "unix:", "ftp://x", "http://", "nonsense"})
     EXPECT_THROW(HttpClient{url}, std::invalid_argument) << url;
 }
 

@@ -118,5 +118,21 @@ TEST_F(ConnectionTableTest, AnAddressHasListenersOnThreeQuartersOfItsOwn) {
   EXPECT_EQ(table.enter(ids[3], Phase::listening, now += 1ms), ids[0]) << "not that of b, which is older";
 }
 
+TEST_F(ConnectionTableTest, AProxysConnectionCountsForTheClientThatItAsksFor) {
+  ConnectionTable table({.most = 10, .max_per_address = 1, .spare = 1});
+  const auto one = regular(table, ""), two = regular(table, ""), direct = regular(table, "b");
+  EXPECT_TRUE(table.assign(one, "a", now));
+  EXPECT_TRUE(table.assign(one, "a", now));
+  EXPECT_FALSE(table.assign(two, "a", now));
+  EXPECT_FALSE(table.assign(two, "b", now));
+  table.remove(direct);
+  EXPECT_TRUE(table.assign(two, "b", now));
+  EXPECT_TRUE(table.assign(one, "", now));
+  EXPECT_TRUE(table.assign(two, "a", now));
+  table.remove(one);
+  table.remove(two);
+  EXPECT_EQ(table.size(), 0U);
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

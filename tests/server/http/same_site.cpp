@@ -56,5 +56,14 @@ TEST(SameSite, PagesOfOtherOriginsChangeNothing) {
   }
 }
 
+TEST(SameSite, PagesOfAllowedOriginsMayChangeSomething) {
+  const AllowedHosts hosts{.any = true, .names = {}, .origins = {"https://erp.example"}};
+  EXPECT_TRUE(taken(hosts, "POST", "a.example", "https://erp.example"));
+  EXPECT_FALSE(taken(hosts, "POST", "a.example", "http://erp.example"));
+  EXPECT_NO_THROW(check_origins({"https://erp.example", "http://localhost:3000"}));
+  for (const char* wrong : {"*", "erp.example", "https://erp.example/", "https://*.example", "null"})
+    EXPECT_THROW(check_origins({wrong}), std::runtime_error) << wrong;
+}
+
 }  // namespace
 }  // namespace bahnwerk::server
