@@ -79,6 +79,12 @@ def describe(program):
     return top, [parse_help(ask(program, name), name) for name, _ in top.commands]
 
 
+def below(program, commands):
+    """The commands of commands: key add."""
+    return [parse_help(ask(program, command.name, name.split(",")[0]), "%s %s" % (command.name, name.split(",")[0]))
+            for command in commands for name, _ in command.commands]
+
+
 # Manual page: roff [man(7)]
 
 
@@ -103,7 +109,7 @@ def man(program):
             ".SH NAME\nbahnwerk \\- %s\n" % roff(top.summary.split(": ", 1)[-1].rstrip(".")),
             ".SH SYNOPSIS\n.B bahnwerk\n.I COMMAND\n[\\fIOPTIONS\\fR]\n",
             ".SH DESCRIPTION\n%s\n" % roff(top.footer), ".SH OPTIONS\n", *map(roff_option, top.options)]
-    for command in commands:
+    for command in commands + below(program, commands):
         words = "".join(" \\fI%s\\fR" % roff(each.names[0].upper()) for each in command.positionals)
         page += [".SH %s\n" % roff(command.name.upper()), ".B bahnwerk %s\n[\\fIOPTIONS\\fR]%s\n.PP\n" % (command.name, words),
                  roff(command.summary) + "\n", *map(roff_option, command.positionals), *map(roff_option, command.options)]

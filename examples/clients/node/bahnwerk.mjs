@@ -1,7 +1,7 @@
 // A client of the planning service in one file, with nothing but Node (18 or later).
 //
 //   import { Client } from './bahnwerk.mjs';
-//   const client = new Client('http://127.0.0.1:8080');
+//   const client = new Client('http://127.0.0.1:8080');      // where keys are needed: new Client(url, { key: 'bw_…' })
 //   const job = await client.submit(document);              // an object, or a job document as text
 //   await client.wait(job.id, { onProgress: console.log }); // throws JobFailed unless it succeeded
 //   const result = await client.result(job.id);
@@ -38,12 +38,15 @@ export class JobFailed extends Problem {
 }
 
 export class Client {
-  /** `patience`: how long a request that found no server, or one that cannot serve now, is repeated, s; 0: not at all. */
-  constructor(server = 'http://127.0.0.1:8080', { patience = 60 } = {}) {
+  /** `patience`: how long a request that found no server, or one that cannot serve now, is repeated, s; 0: not at all.
+   *  `key`: sent with every request; by default BAHNWERK_KEY of the environment. Authorities for a server's certificate
+   *  beside the known ones are those of Node: NODE_EXTRA_CA_CERTS=ca.pem. */
+  constructor(server = 'http://127.0.0.1:8080', { patience = 60, key = process.env.BAHNWERK_KEY } = {}) {
     const url = new URL(server);
     const given = url.username || url.password; // http://USER:PASSWORD@HOST, for a proxy that asks who one is
     const user = `${decodeURIComponent(url.username)}:${decodeURIComponent(url.password)}`;
-    this.headers = given ? { Authorization: `Basic ${Buffer.from(user).toString('base64')}` } : {};
+    this.headers = given ? { Authorization: `Basic ${Buffer.from(user).toString('base64')}` }
+      : key ? { Authorization: `Bearer ${key}` } : {};
     url.username = url.password = '';
     this.server = url.href.replace(/\/+$/, '');
     this.patience = patience;

@@ -2,7 +2,7 @@
 """A client of the planning service in one file, with nothing but Python's standard library (3.9 or later).
 
     from bahnwerk import Client
-    client = Client("http://127.0.0.1:8080")
+    client = Client("http://127.0.0.1:8080")            # where keys are needed: Client(url, key="bw_…", ca="ca.pem")
     job = client.submit(document)                       # a dict, or a job document as text
     job = client.wait(job["id"], on_progress=print)     # raises JobFailed unless it succeeded
     result = client.result(job["id"])
@@ -17,7 +17,9 @@ import base64
 import email.utils
 import http.client
 import json
+import os
 import socket
+import ssl
 import sys
 import time
 import urllib.parse
@@ -71,14 +73,18 @@ class Rows:
 
 
 class Client:
-    def __init__(self, server="http://127.0.0.1:8080", timeout=75.0, patience=60.0):
+    def __init__(self, server="http://127.0.0.1:8080", timeout=75.0, patience=60.0, key=None, ca=None):
         """`timeout`: how long one answer may stay out, s. `patience`: how long a request that found no server, or one
-        that cannot serve now, is repeated before the error is raised, s; 0: not at all."""
+        that cannot serve now, is repeated before the error is raised, s; 0: not at all. `key`: sent with every
+        request; by default that of the environment, BAHNWERK_KEY. `ca`: a file, PEM, with the authorities that the
+        server's certificate may come from; by default BAHNWERK_CA, else the system's."""
         parts = urllib.parse.urlsplit(server)
         if parts.scheme not in ("http", "https") or not parts.hostname:
             raise ValueError("expected http://HOST[:PORT][/PREFIX], got %r" % server)
         self._parts, self.timeout, self.patience = parts, timeout, patience
-        self._headers = {}
+        key, ca = key or os.environ.get("BAHNWERK_KEY"), ca or os.environ.get("BAHNWERK_CA")
+        self._headers = {"Authorization": "Bearer " + key} if key else {}
+        self._tls = {"context": ssl.create_default_context(cafile=ca)} if parts.scheme == "https" else {}
         if parts.username is not None:  # http://USER:PASSWORD@HOST, for a proxy that asks who one is
             user = "%s:%s" % tuple(urllib.parse.unquote(part or "") for part in (parts.username, parts.password))
             self._headers["Authorization"] = "Basic " + base64.b64encode(user.encode()).decode()
@@ -212,7 +218,7 @@ class Client:
 
     def _open(self, method, path, headers, body=None):
         kind = http.client.HTTPSConnection if self._parts.scheme == "https" else http.client.HTTPConnection
-        connection = kind(self._parts.hostname, self._parts.port, timeout=self.timeout)
+        connection = kind(self._parts.hostname, self._parts.port, timeout=self.timeout, **self._tls)
         try:
             connection.request(method, self._parts.path.rstrip("/") + path, body, {**self._headers, **headers})
             return connection, connection.getresponse()
