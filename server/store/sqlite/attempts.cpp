@@ -18,7 +18,8 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
         leftovers.reset();
         lose(connection, lease.now, lease.now, max_expired_at_once);
         Query next = connection.query(
-            "SELECT seq, suspect FROM jobs WHERE state = 'queued' ORDER BY priority DESC, turn, seq LIMIT 1");
+            "SELECT seq, suspect FROM jobs INDEXED BY jobs_queue WHERE state = 'queued' "
+            "ORDER BY priority DESC, turn, seq LIMIT 1");
         if (!next.step()) return;
         const std::int64_t seq = next.integer(0);
         // A suspect waits until nothing else runs in this process, and the others until it has ended.
