@@ -31,7 +31,8 @@ class Command:
     footer: str = ""
 
 
-LINE = re.compile(r"^  (?P<head>\S.*?)(?:  +(?P<text>\S.*))?$")
+# One blank alone separates a head that ends with its variable at the text's column.
+LINE = re.compile(r"^  (?P<head>\S.*?)(?:(?:  +|(?<=\)) )(?P<text>\S.*))?$")
 
 
 def parse_option(head, text):
