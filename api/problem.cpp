@@ -15,7 +15,7 @@
 namespace bahnwerk::api {
 namespace {
 
-constexpr std::array<ProblemType, 36> catalogue{{
+constexpr std::array<ProblemType, 37> catalogue{{
     // Problems of requests.
     {"invalid-json", 400, "The body is not valid JSON",
      "The body has to be one JSON document (RFC 8259) in UTF-8: no NaN or Infinity, no duplicate keys, no comments, "
@@ -45,6 +45,9 @@ constexpr std::array<ProblemType, 36> catalogue{{
      "An `Idempotency-Key` belongs to exactly one document. Use a new key for a new document; repeat the identical "
      "body to get the job "
      "that the key already created."},
+    {"job-not-failed", 409, "The job has neither failed nor been cancelled",
+     "A job is planned once more by `retry` when it has failed or was cancelled. Wait for its end, or post the document "
+     "as a new job."},
     {"job-not-finished", 409, "The job has not ended yet",
      "A result and setpoints exist only once the job has succeeded, and a running job cannot be deleted. Wait for the "
      "job "

@@ -49,6 +49,24 @@ CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::size_t& valu
   return app.add_option(name, value, text)->transform(CLI::AsSizeValue(false))->check(CLI::Validator(check, "BYTES"));
 }
 
+/// A time that things are kept: seconds, or with a suffix s, m, h or d.
+CLI::Option* add_keeping_time(CLI::App& app, const std::string& name, std::optional<std::int64_t>& ms,
+                              const std::string& text) {
+  const auto set = [&ms, name](const std::string& given) {
+    constexpr double longest = 36500;  // days
+    static const std::map<std::string, double, std::less<>> units{
+        {"", 1e3}, {"s", 1e3}, {"m", 6e4}, {"h", 3.6e6}, {"d", 8.64e7}};
+    char* end = nullptr;
+    const double value = std::strtod(given.c_str(), &end);
+    const auto unit = units.find(std::string_view(end));
+    if (given.empty() || given.find_first_of("0123456789") != 0 || unit == units.end() ||
+        !(value * unit->second >= 1e3 && value * unit->second <= longest * 8.64e7))
+      throw CLI::ValidationError(name, "must be a time of 1 s to 36500 d, such as 30d, 12h or 3600");
+    ms = std::llround(value * unit->second);
+  };
+  return app.add_option_function<std::string>(name, set, text)->default_str("")->type_name("TIME");
+}
+
 /// Returns the variable of the environment that stands for a flag.
 std::string variable_of(const CLI::Option& option) {
   std::string name = "BAHNWERK_";
@@ -114,6 +132,15 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
                 "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "
                 "with a suffix: 8MiB",
                 0));
+  env(add_keeping_time(app, "--keep-for", options.retention.time,
+                       "that ended jobs are kept, then they are removed: 30d, 12h; by default for ever"));
+  env(app.add_option("--keep-jobs", options.retention.jobs, "ended jobs that are kept, the latest ones")
+          ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}))
+          ->default_str(""));
+  env(add_bytes(app, "--keep-bytes", options.keep_bytes,
+                "room of the store: beyond it the jobs that ended first are removed; bytes or with a suffix: 50GiB",
+                std::size_t{1} << 20)
+          ->default_str(""));
   env(app.add_option("--workers", options.workers, "planner threads; 0 accepts jobs without planning them")
           ->check(CLI::Range(0, 1024)));
   env(app.add_option("--worker-nice", options.worker_nice,

@@ -80,6 +80,7 @@ Middleware audit() {
       next(request, [reply = std::move(reply), request](Response response) {
         if (request->key)
           log::audit({{"action", request->method + " " + request->route},
+                      {"target", request->target.substr(0, 500)},
                       {"job", job_of(*request, response)},
                       {"key", request->key->key.name},
                       {"key_id", request->key->key.id},

@@ -40,6 +40,7 @@ std::int64_t Deadlines::look() {
     const Expired expired = store_.expire(time_.now_ms());
     for (const std::string& id : expired.ids)
       log::info("job_ended", {{"job", id}, {"state", "failed"}, {"problem", "deadline-exceeded"}});
+    if (expired.removed > 0) log::info("jobs_removed", {{"jobs", expired.removed}, {"reason", "retention"}});
     for (const std::string& id : expired.lost) log::warn("attempt_lost", {{"job", id}});
     return expired.next ? std::clamp<std::int64_t>(*expired.next - time_.now_ms(), 0, longest_sleep) : longest_sleep;
   } catch (const StoreError& error) {

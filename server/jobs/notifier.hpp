@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -22,6 +23,7 @@ class Notifier {
  public:
   using Token = std::uint64_t;
   using Clock = std::chrono::steady_clock;
+  static constexpr std::string_view any_job = "*";  ///< the name under which waiters for any job wait
 
   explicit Notifier(const TimeSource& time = system_time());
   ~Notifier();  ///< calls all remaining waiters

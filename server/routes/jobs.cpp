@@ -6,6 +6,7 @@
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
 #include "server/http/middleware.hpp"
+#include "server/routes/changes.hpp"
 #include "server/routes/context.hpp"
 #include "server/routes/events.hpp"
 #include "server/routes/submit.hpp"
@@ -32,6 +33,10 @@ JobFilter parse_filter(const Pairs& query) {
       filter.kind = value;
     } else if (name == "reference") {
       filter.reference = value;
+    } else if (name == "created_after" || name == "created_before" || name == "before") {
+      const auto time = api::parse_rfc3339(value);
+      if (!time) bad_query(name, "expected an RFC 3339 time such as 2026-01-31T12:00:00Z");
+      (name == "created_after" ? filter.created_after : filter.created_before) = *time;
     } else if (name == "limit") {
       const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), filter.limit);
       if (error != std::errc() || end != value.data() + value.size() || filter.limit < 1 || filter.limit > longest_list)
@@ -63,6 +68,27 @@ Response list(Context& context, const Request& request) {
   Response response = json_answer(200, document);
   response.set("Cache-Control", "no-store");
   return response;
+}
+
+/// Reads the filter of a call that acts on all jobs which match it; without one it would act on all jobs there are.
+JobFilter required_filter(const Request& request) {
+  if (request.query.empty())
+    throw api::Problem("schema-violation",
+                       "The query is not valid: name at least one of state, kind, reference, before",
+                       {{"/query", "names no filter; expected state, kind, reference or before"}});
+  return parse_filter(request.query);
+}
+
+Response counted(std::size_t count) { return json_answer(200, {{"count", count}}); }
+
+Response cancel_all(Context& context, const Request& request) {
+  require_json(request);
+  return counted(context.store.cancel_all(required_filter(request), context.time.now_ms()));
+}
+
+Response remove_all(Context& context, const Request& request) {
+  require_json(request);
+  return counted(context.store.remove_all(required_filter(request)));
 }
 
 Response cancel(Context& context, const Request& request) {
@@ -116,7 +142,16 @@ void add_job_routes(Router& router, Context& context) {
              [&](const RequestPtr& request, const Reply& reply) { submit(context, request, reply); });
   router.add("GET", "/v1/jobs", Access::read,
              on_pool(context.scans, [&](const Request& request) { return list(context, request); }),
-             {"state", "kind", "reference", "limit", "cursor"});
+             {"state", "kind", "reference", "created_after", "created_before", "limit", "cursor"});
+  router.add("DELETE", "/v1/jobs", Access::admin,
+             on_pool(context.scans, [&](const Request& request) { return remove_all(context, request); }),
+             {"state", "kind", "reference", "before"});
+  router.add("POST", "/v1/jobs/cancel", Access::admin,
+             on_pool(context.scans, [&](const Request& request) { return cancel_all(context, request); }),
+             {"state", "kind", "reference", "before"});
+  router.add("GET", "/v1/changes", Access::read,
+             [&](const RequestPtr& request, const Reply& reply) { changes(context, request, reply); },
+             {"since", "limit"});
   router.add("GET", "/v1/jobs/{id}", Access::read,
              [&](const RequestPtr& request, const Reply& reply) { watch(context, request, reply); });
   router.add("GET", "/v1/jobs/{id}/spec", Access::read,
@@ -127,6 +162,8 @@ void add_job_routes(Router& router, Context& context) {
              [&](const RequestPtr& request, const Reply& reply) { events(context, request, reply); });
   router.add("DELETE", "/v1/jobs/{id}", Access::submit,
              on_pool(context.scans, [&](const Request& request) { return remove(context, request); }));
+  router.add("POST", "/v1/jobs/{id}/retry", Access::submit,
+             [&](const RequestPtr& request, const Reply& reply) { retry(context, request, reply); });
   router.add("POST", "/v1/jobs/{id}/cancel", Access::submit,
              on_pool(context.scans, [&](const Request& request) { return cancel(context, request); }));
 }

@@ -7,12 +7,14 @@
 #include <memory>
 #include <new>
 
+#include "api/text/pointer.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/gzip.hpp"
 #include "server/keys/key_ring.hpp"
+#include "server/routes/watch.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/memory.hpp"
 #include "server/runtime/sha256.hpp"
@@ -60,7 +62,8 @@ std::string idempotency_key(const Request& request) {
   return text;
 }
 
-Response accepted(Context& context, const Request& request, const Inserted& inserted) {
+/// Returns the answer where the job was not taken; throws the problem of most reasons.
+std::optional<Response> refused(const Context& context, const Request& request, const Inserted& inserted) {
   switch (inserted.what) {
     case Inserted::What::conflict:
       throw api::Problem("idempotency-conflict", "This Idempotency-Key was used before with another body.");
@@ -82,7 +85,10 @@ Response accepted(Context& context, const Request& request, const Inserted& inse
     case Inserted::What::replayed:
       break;
   }
-  const api::Job job = find_job(context, inserted.id);
+  return std::nullopt;
+}
+
+Response accepted(const Request& request, const api::Job& job) {
   Response response = job_answer(202, request, job);
   response.set("Location", "/v1/jobs/" + job.id);
   return response;
@@ -98,6 +104,17 @@ class Post : public std::enable_shared_from_this<Post> {
         packed_(packed),
         until_(context.time.now() + check_time) {
     job_.idempotency_key = idempotency_key(*request_);
+  }
+
+  /// Takes the document of a job that has failed or was cancelled.
+  void retry() {
+    context_.scans.post([self = shared_from_this()] {
+      try {
+        self->again();
+      } catch (...) {
+        self->reply_(answer_from_current_exception(*self->request_));
+      }
+    });
   }
 
   void begin() {
@@ -169,26 +186,47 @@ class Post : public std::enable_shared_from_this<Post> {
     return true;
   }
 
+  void again() {
+    const std::string& id = request_->parameter("id");
+    auto job = context_.store.get(id);
+    if (!job) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
+    if (job->state != api::JobState::failed && job->state != api::JobState::cancelled)
+      throw api::Problem("job-not-failed", "The job is " + std::string(api::to_string(job->state)) + ".");
+    job_.owner = job->owner;  // who may see the old job sees the new one
+    job_.request = std::move(job->request);
+    job_.request.checked = false;
+    request_->body = "retry " + id;  // what is asked for, where an Idempotency-Key is given
+    insert();
+  }
+
   void insert() {
     if (!job_.idempotency_key.empty()) job_.body_hash = sha256(request_->body);
     request_->body = std::string();
     job_.now = context_.time.now_ms();
     job_.max_queued = context_.max_queued;
     if (const auto& held = request_->key) {
-      job_.owner = held->key.name;
+      if (!job_.owner) job_.owner = held->key.name;
       job_.max_owned = held->key.max_queued;
       job_.max_planning_ms = held->key.max_planning_ms;
     }
-    context_.store.insert(std::move(job_),
-                          [self = shared_from_this()](const Inserted& inserted, std::exception_ptr error) {
-                            // This runs on the store's thread: it hands over at once.
-                            self->context_.pool.post([self, inserted, error = std::move(error)] {
-                              reply_with(*self->request_, self->reply_, [&] {
-                                if (error) std::rethrow_exception(error);
-                                return accepted(self->context_, *self->request_, inserted);
-                              });
-                            });
-                          });
+    context_.store.insert(
+        std::move(job_), [self = shared_from_this()](const Inserted& inserted, std::exception_ptr error) {
+          // This runs on the store's thread: it hands over at once.
+          self->context_.pool.post([self, inserted, error = std::move(error)] { self->answer(inserted, error); });
+        });
+  }
+
+  /// Answers with the job, at once or when it has ended, as the client prefers.
+  void answer(const Inserted& inserted, const std::exception_ptr& error) {
+    try {
+      if (error) std::rethrow_exception(error);
+      if (auto response = refused(context_, *request_, inserted)) return reply_(std::move(*response));
+      if (const int wait = preferred_wait(*request_); wait > 0)
+        return answer_at_end(context_, request_, reply_, inserted.id, wait, accepted);
+      reply_(accepted(*request_, find_job(context_, inserted.id)));
+    } catch (...) {
+      reply_(answer_from_current_exception(*request_));
+    }
   }
 
   Context& context_;
@@ -216,6 +254,12 @@ void submit(Context& context, const RequestPtr& request, const Reply& reply) {
   }
   if (context.draining) throw api::Problem("draining", "The server is about to stop and takes no new jobs.");
   std::make_shared<Post>(context, request, reply, *coding == Coding::gzip)->begin();
+}
+
+void retry(Context& context, const RequestPtr& request, const Reply& reply) {
+  require_json(*request);
+  if (context.draining) throw api::Problem("draining", "The server is about to stop and takes no new jobs.");
+  std::make_shared<Post>(context, request, reply, false)->retry();
 }
 
 }  // namespace bahnwerk::server

@@ -17,12 +17,14 @@ Response current(const Request& request, const api::Job& job) {
 
 /// One delayed request. It reads the job on the pool, and again whenever the notifier calls.
 struct Waiting : std::enable_shared_from_this<Waiting> {
-  Waiting(Context& all, RequestPtr asked, Reply answer, int seconds)
+  using Answer = std::function<Response(const Request&, const api::Job&)>;
+  Waiting(Context& all, RequestPtr asked, Reply give, std::string job, int seconds, bool changes, Answer answer)
       : context(all),
         request(std::move(asked)),
-        reply(std::move(answer)),
-        id(request->parameter("id")),
-        any_change(request->header("if-none-match").has_value()),
+        reply(std::move(give)),
+        id(std::move(job)),
+        answer_with(std::move(answer)),
+        any_change(changes),
         wait(seconds),
         until(context.time.now() + std::chrono::seconds(seconds)),
         progress_from(context.time.now() + progress_interval) {}
@@ -48,7 +50,7 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
     try {
       const api::Job job = find_job(context, id);
       if (over() || due(job)) {
-        Response response = current(*request, job);
+        Response response = answer_with(*request, job);
         response.set("Preference-Applied", "wait=" + std::to_string(wait));
         return reply(std::move(response));
       }
@@ -73,7 +75,8 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
   const RequestPtr request;
   const Reply reply;
   const std::string id;
-  const bool any_change;
+  const Answer answer_with;
+  const bool any_change;  ///< whether a change of the job, not its end alone, is waited for
   const int wait;
   const Notifier::Clock::time_point until, progress_from;
   bool listening = false;  ///< whether the connection knows that this one waits
@@ -116,10 +119,17 @@ int preferred_wait(const Request& request) {
   return 0;
 }
 
+void answer_at_end(Context& context, const RequestPtr& request, const Reply& reply, const std::string& id, int seconds,
+                   std::function<Response(const Request&, const api::Job&)> answer) {
+  std::make_shared<Waiting>(context, request, reply, id, seconds, false, std::move(answer))->look();
+}
+
 void watch(Context& context, const RequestPtr& request, const Reply& reply) {
   require_json(*request);
   if (const int wait = preferred_wait(*request); wait > 0) {
-    context.pool.post([waiting = std::make_shared<Waiting>(context, request, reply, wait)] { waiting->look(); });
+    const bool changes = request->header("if-none-match").has_value();
+    auto waiting = std::make_shared<Waiting>(context, request, reply, request->parameter("id"), wait, changes, current);
+    context.pool.post([waiting = std::move(waiting)] { waiting->look(); });
     return;
   }
   // Most queries are for a job that was read a moment ago: no other thread is woken for those.

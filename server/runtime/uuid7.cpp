@@ -47,6 +47,13 @@ void Uuid7::advance_past(std::string_view id) {
   counter_ = 0xfff;  // the next identifier takes a later millisecond
 }
 
+std::string first_id(std::int64_t ms) {
+  const auto time = static_cast<unsigned long long>(std::clamp<std::int64_t>(ms, 0, (std::int64_t{1} << 48) - 1));
+  char text[37];
+  std::snprintf(text, sizeof text, "%08llx-%04llx-7000-8000-000000000000", time >> 16, time & 0xffff);
+  return text;
+}
+
 std::string random_id() {
   thread_local std::mt19937_64 random = seeded();
   char text[33];

@@ -23,6 +23,9 @@ class Uuid7 {
   std::uint32_t counter_ = 0;
 };
 
+/// Returns the least identifier of that millisecond (0 to 2^48 − 1; times beyond are the nearest one).
+std::string first_id(std::int64_t ms);
+
 /// Returns a random identifier without order, for request ids.
 std::string random_id();
 

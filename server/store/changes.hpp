@@ -39,10 +39,11 @@ class ChangeSource {
   /// already shown it. There is one listener; nullptr ends it, and when listen returns no call is in progress.
   virtual void listen(std::function<void(const std::vector<Changed>&)> call) = 0;
 
-  /// Returns the changes after `sequence`, progress included, the oldest `limit` ones. Each change of a job gives it a
-  /// new sequence, greater than all that anybody can have seen: no change appears behind a returned sequence. The cost
-  /// depends on the changes returned, not on the number of jobs.
-  virtual Changes changes_since(std::uint64_t sequence, std::size_t limit) = 0;
+  /// Returns the changes after `sequence`, the oldest `limit` ones, of all jobs or of one owner's; progress is none.
+  /// Each change of a job gives it a new sequence, greater than all that anybody can have seen: no change appears
+  /// behind a returned sequence. The cost depends on the changes returned, not on the number of jobs.
+  virtual Changes changes_since(std::uint64_t sequence, std::size_t limit,
+                                const std::optional<std::string>& owner = std::nullopt) = 0;
   virtual std::uint64_t last_change() = 0;  ///< sequence from which to ask for later changes
 };
 

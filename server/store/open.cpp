@@ -30,11 +30,12 @@ std::string prepared_path(const std::string& url) {
 }
 
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
-                                  std::size_t reserve) {
+                                  std::size_t reserve, const Retention& retention) {
   SqliteOptions options;
   options.path = prepared_path(url);
   options.observer = std::move(observer);
   options.reserve = reserve;
+  options.retention = retention;
   std::error_code error;
   const auto folder = std::filesystem::path(options.path).parent_path();
   const auto disk = std::filesystem::space(folder.empty() ? "." : folder, error);

@@ -16,10 +16,11 @@ void check_store(const std::string& url);
 std::string prepared_path(const std::string& url);
 
 /// Opens the store named by a URL: sqlite:PATH (a missing directory is created). `observer` receives every commit
-/// (seconds, writes); `reserve` bytes of disk are set aside for a full one. Throws StoreError with a sentence for the
+/// (seconds, writes); `reserve` bytes of disk are set aside for a full one; ended jobs are kept as `retention` says.
+/// Throws StoreError with a sentence for the
 /// operator.
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
-                                  std::size_t reserve = 0);
+                                  std::size_t reserve = 0, const Retention& retention = {});
 
 struct BackUp {
   std::size_t jobs = 0, bytes = 0;

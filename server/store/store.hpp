@@ -69,8 +69,9 @@ class Store : public ChangeSource {
 
   /// Ends queued jobs whose deadline has passed as deadline-exceeded. Running jobs whose lease has run out have lost
   /// their attempt: they return to the queue with its number, so that the next one differs; they end as cancelled when
-  /// that was requested, or as worker-lost after max_losses_alone. Frees what removed jobs have left. A few hundred
-  /// jobs or some megabytes per call; writes only when there are any.
+  /// that was requested, or as worker-lost after max_losses_alone. Removes ended jobs beyond the
+  /// store's retention, frees what removed jobs have left, and gives room back to the disk. A few hundred jobs or some
+  /// megabytes per call; writes only when there are any.
   virtual Expired expire(std::int64_t now) = 0;
 
   // Requests of clients.
@@ -81,6 +82,10 @@ class Store : public ChangeSource {
   virtual bool cancel_requested(const std::string& id) = 0;
   /// Removes the job at once, then its rows piece by piece, so that other writes proceed in between.
   virtual Removed remove(const std::string& id) = 0;
+  /// Act on all jobs that match the filter, in pieces, so that other writes proceed in between; return how many were
+  /// cancelled (queued, or running and asked to stop), or removed (running ones are not). `limit` is not used.
+  virtual std::size_t cancel_all(const JobFilter& filter, std::int64_t now) = 0;
+  virtual std::size_t remove_all(const JobFilter& filter) = 0;
 
   /// Opens the document as it was posted, and the result document; nullptr if there is none.
   virtual std::unique_ptr<StoredText> open_document(const std::string& id) = 0;

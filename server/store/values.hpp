@@ -46,10 +46,12 @@ struct Inserted {
 };
 
 struct JobFilter {
-  std::optional<api::JobState> state;
-  std::optional<std::string> kind, reference;
-  std::optional<std::string> owner;  ///< jobs of this name alone
-  std::string before;                ///< upper limit of the ids, exclusive; empty: from the newest
+  std::optional<api::JobState> state = {};
+  std::optional<std::string> kind = {}, reference = {};
+  std::optional<std::string> owner = {};  ///< jobs of this name alone
+  std::string before = {};                ///< upper limit of the ids, exclusive; empty: from the newest
+  std::optional<std::int64_t> created_after = {},
+                              created_before = {};  ///< limits of the time of posting: from, and before
   std::size_t limit = 50;
 };
 
@@ -101,12 +103,21 @@ struct Progressed {
   std::uint64_t revision = 0;
 };
 
+/// How long ended jobs are kept. What exceeds one of the limits is removed, what ended first goes first.
+struct Retention {
+  std::optional<std::int64_t> time = {};   ///< ms since the end
+  std::optional<std::int64_t> jobs = {};   ///< number of ended jobs
+  std::optional<std::int64_t> bytes = {};  ///< of the whole store
+  std::int64_t spare_bytes = 16 << 20;     ///< free room that the store's file keeps; more is given back to the disk
+};
+
 enum class Removed { yes, running, unknown };
 
 /// Result of Store::expire, and the time of the next call that has something to do.
 struct Expired {
   std::vector<std::string> ids;   ///< queued jobs that ended because their deadline had passed
   std::vector<std::string> lost;  ///< running jobs whose lease had run out
+  std::size_t removed = 0;        ///< ended jobs that were kept long enough
   std::optional<std::int64_t> next;
 };
 

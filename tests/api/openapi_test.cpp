@@ -26,6 +26,9 @@ void walk(const ordered_json& node, const Visit& visit) {
 TEST(OpenApi, ListsExactlyTheRoutes) {
   const std::set<std::string> expected{"POST /v1/jobs",
                                        "GET /v1/jobs",
+                                       "DELETE /v1/jobs",
+                                       "POST /v1/jobs/cancel",
+                                       "GET /v1/changes",
                                        "GET /v1/jobs/{id}",
                                        "DELETE /v1/jobs/{id}",
                                        "GET /v1/jobs/{id}/spec",
@@ -33,6 +36,7 @@ TEST(OpenApi, ListsExactlyTheRoutes) {
                                        "GET /v1/jobs/{id}/result",
                                        "GET /v1/jobs/{id}/setpoints",
                                        "POST /v1/jobs/{id}/cancel",
+                                       "POST /v1/jobs/{id}/retry",
                                        "GET /v1/kinds",
                                        "GET /v1/schemas/{name}",
                                        "GET /openapi.json",

@@ -38,6 +38,10 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"GET /v1/jobs/{id}/result", 200},
                                          {"GET /v1/jobs/{id}/setpoints", 200},
                                          {"POST /v1/jobs/{id}/cancel", 202},
+                                         {"POST /v1/jobs/{id}/retry", 409},  // it succeeded
+                                         {"POST /v1/jobs/cancel", 422},      // without a filter
+                                         {"DELETE /v1/jobs", 422},
+                                         {"GET /v1/changes", 200},
                                          {"DELETE /v1/jobs/{id}", 204},
                                          {"GET /v1/kinds", 200},
                                          {"GET /openapi.json", 200},
@@ -132,6 +136,38 @@ TEST_F(ServiceKeysTest, ListsAndIdempotencyKeysAreTheOwnersAlone) {
   const std::string page = ask("GET", "/", acme, {{"Accept", "text/html"}}).body;
   EXPECT_NE(page.find(first), std::string::npos);
   EXPECT_EQ(page.find(second), std::string::npos);
+}
+
+TEST_F(ServiceKeysTest, ChangesAreTheOwnersAlone) {
+  options.workers = 0;
+  const std::string acme = add("acme", "submit,read"), other = add("other", "submit,read"),
+                    admin = add("boss", "admin");
+  start();
+  const std::string mine = post_as(acme), theirs = post_as(other), gone = post_as(acme);
+  EXPECT_EQ(ask("DELETE", "/v1/jobs/" + gone, acme).status, 204);
+  const auto changed = [&](const std::string& key) {
+    std::vector<std::string> ids;
+    const json answer = json::parse(ask("GET", "/v1/changes?since=0", key).body);
+    for (const auto& change : answer["changes"]) ids.push_back(change["id"]);
+    EXPECT_TRUE(
+        json::parse(ask("GET", "/v1/changes?since=" + std::to_string(answer.value("next", 0)), key).body)["changes"]
+            .empty());
+    return ids;
+  };
+  EXPECT_EQ(changed(acme), (std::vector{mine, gone}));
+  EXPECT_EQ(changed(other), std::vector{theirs});
+  EXPECT_EQ(changed(admin), (std::vector{mine, theirs, gone}));
+}
+
+TEST_F(ServiceKeysTest, AJobPlannedOnceMoreStaysItsOwners) {
+  options.workers = 0;
+  const std::string acme = add("acme", "submit,read"), admin = add("boss", "admin");
+  start();
+  const std::string id = post_as(acme);
+  EXPECT_EQ(ask("POST", "/v1/jobs/" + id + "/cancel", acme).status, 202);
+  const Response again = ask("POST", "/v1/jobs/" + id + "/retry", admin);
+  EXPECT_EQ(again.status, 202) << again.body;
+  EXPECT_EQ(ask("GET", "/v1/jobs/" + json::parse(again.body).value("id", ""), acme).status, 200);
 }
 
 TEST_F(ServiceKeysTest, AQuotaOfQueuedJobsIsTheNamesOwn) {

@@ -82,10 +82,10 @@ std::vector<Attempt> SqliteStore::heartbeat(const Lease& lease, const std::vecto
 void SqliteStore::progress(Progressed progress, std::function<void()> done) {
   const auto p = std::make_shared<Progressed>(std::move(progress));
   writer_.post(
-      [this, p](SqliteConnection& connection) {
-        (connection.query("UPDATE jobs SET fraction = ?, stage = ?, message = ?, revision = max(revision, ?), "
-                          "changed = ? WHERE id = ? AND state = 'running' AND attempt = ?")
-         << p->fraction << p->stage << p->message << static_cast<std::int64_t>(p->revision) << changes_.next() << p->id
+      [p](SqliteConnection& connection) {
+        (connection.query("UPDATE jobs SET fraction = ?, stage = ?, message = ?, revision = max(revision, ?) "
+                          "WHERE id = ? AND state = 'running' AND attempt = ?")
+         << p->fraction << p->stage << p->message << static_cast<std::int64_t>(p->revision) << p->id
          << std::int64_t{p->attempt})
             .run();
       },

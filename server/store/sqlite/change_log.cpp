@@ -37,15 +37,16 @@ std::uint64_t last_change(SqliteConnection& connection) {
   return static_cast<std::uint64_t>(row.integer(0));
 }
 
-Changes changes_since(SqliteConnection& connection, std::uint64_t sequence, std::size_t limit) {
+Changes changes_since(SqliteConnection& connection, std::uint64_t sequence, std::size_t limit,
+                      const std::optional<std::string>& owner) {
   Changes changes;
   const auto from = static_cast<std::int64_t>(sequence);
   Query rows = connection.query(
       "SELECT changed, id, state, cancel_requested, revision, (SELECT n > 1 AND changed > ?1 FROM removals ORDER BY n "
-      "LIMIT 1) FROM jobs WHERE changed > 0 AND changed > ?1 UNION ALL "
+      "LIMIT 1) FROM jobs WHERE changed > 0 AND changed > ?1 AND (?2 IS NULL OR owner = ?2) UNION ALL "
       "SELECT changed, id, NULL, 0, 0, (SELECT n > 1 AND changed > ?1 FROM removals ORDER BY n LIMIT 1) FROM removals "
-      "WHERE changed > ?1 ORDER BY changed LIMIT ?2");
-  rows << from << static_cast<std::int64_t>(limit);
+      "WHERE changed > ?1 AND (?2 IS NULL OR owner = ?2) ORDER BY changed LIMIT ?3");
+  rows << from << owner << static_cast<std::int64_t>(limit);
   while (rows.step()) {
     Changed changed;
     changed.sequence = static_cast<std::uint64_t>(rows.integer(0));
@@ -62,9 +63,10 @@ Changes changes_since(SqliteConnection& connection, std::uint64_t sequence, std:
   return changes;
 }
 
-void keep_removal(SqliteConnection& connection, std::int64_t number, const std::string& id) {
-  Query kept = connection.query("INSERT INTO removals (changed, id) VALUES (?, ?) RETURNING n");
-  kept << number << id;
+void keep_removal(SqliteConnection& connection, std::int64_t number, const std::string& id,
+                  const std::optional<std::string>& owner) {
+  Query kept = connection.query("INSERT INTO removals (changed, id, owner) VALUES (?, ?, ?) RETURNING n");
+  kept << number << id << owner;
   kept.step();
   const std::int64_t n = kept.integer(0);
   kept.step();

@@ -31,9 +31,11 @@ class ChangeLog {
 };
 
 /// Implements ChangeSource's queries on any connection to the database.
-Changes changes_since(SqliteConnection& connection, std::uint64_t sequence, std::size_t limit);
+Changes changes_since(SqliteConnection& connection, std::uint64_t sequence, std::size_t limit,
+                      const std::optional<std::string>& owner);
 std::uint64_t last_change(SqliteConnection& connection);
 /// Records within a transaction that the job's row was removed, with this number.
-void keep_removal(SqliteConnection& connection, std::int64_t number, const std::string& id);
+void keep_removal(SqliteConnection& connection, std::int64_t number, const std::string& id,
+                  const std::optional<std::string>& owner);
 
 }  // namespace bahnwerk::server

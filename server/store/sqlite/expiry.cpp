@@ -17,6 +17,15 @@ constexpr std::int64_t lost_leap = 1 << 20;
 constexpr auto deadlines =
     "SELECT id, deadline FROM jobs WHERE state = 'queued' AND deadline IS NOT NULL ORDER BY deadline LIMIT ?";
 
+constexpr std::size_t max_removed_at_once = 64;
+constexpr std::int64_t page_size = 4096;
+constexpr std::int64_t pages_at_once = 512;  ///< given back to the disk in one transaction
+
+std::int64_t pragma(SqliteConnection& connection, const char* name) {
+  Query row = connection.query(name);
+  return row.step() ? row.integer(0) : 0;
+}
+
 std::optional<std::int64_t> earlier(std::optional<std::int64_t> a, std::optional<std::int64_t> b) {
   return a && b ? std::min(*a, *b) : a ? a : b;
 }
@@ -29,6 +38,37 @@ std::optional<std::int64_t> next_lease(SqliteConnection& connection) {
 }
 
 }  // namespace
+
+std::int64_t SqliteStore::spare_pages(SqliteConnection& connection) const {
+  constexpr std::int64_t incremental = 2;  // of PRAGMA auto_vacuum
+  if (pragma(connection, "PRAGMA auto_vacuum") != incremental) return 0;
+  return std::max(std::int64_t{0},
+                  pragma(connection, "PRAGMA freelist_count") - options_.retention.spare_bytes / page_size);
+}
+
+std::vector<std::string> SqliteStore::too_old(SqliteConnection& connection, std::int64_t now, std::size_t most) const {
+  const Retention& keep = options_.retention;
+  std::int64_t more = 0;  // ended jobs beyond the limits of number and bytes, as far as is known
+  if (keep.jobs) {
+    more =
+        pragma(connection, "SELECT coalesce(sum(jobs), 0) FROM job_counts WHERE state NOT IN ('queued', 'running')") -
+        *keep.jobs;
+  }
+  if (keep.bytes) {
+    const std::int64_t used = pragma(connection, "PRAGMA page_count") - pragma(connection, "PRAGMA freelist_count");
+    if (used * page_size > *keep.bytes) more = std::max<std::int64_t>(more, 1);  // one: the next look measures again
+  }
+  std::vector<std::string> ids;
+  Query rows =
+      connection.query("SELECT id, finished_at FROM jobs WHERE finished_at IS NOT NULL ORDER BY finished_at LIMIT ?");
+  rows << static_cast<std::int64_t>(most);
+  while (rows.step()) {
+    const bool late = keep.time && rows.integer(1) <= now - *keep.time;
+    if (!late && static_cast<std::int64_t>(ids.size()) >= more) break;
+    ids.push_back(rows.text(0));
+  }
+  return ids;
+}
 
 std::vector<std::string> SqliteStore::lose(SqliteConnection& connection, std::int64_t until, std::int64_t now,
                                            std::size_t most) {
@@ -78,7 +118,9 @@ Expired SqliteStore::expire(std::int64_t now) {
     deadline << std::int64_t{1};
     if (deadline.step()) expired.next = deadline.integer(1);
     expired.next = earlier(expired.next, next_lease(reader.connection()));
-    if (next_leftovers(reader.connection())) expired.next = now;
+    if (next_leftovers(reader.connection()) || spare_pages(reader.connection()) > 0 ||
+        !too_old(reader.connection(), now, 1).empty())
+      expired.next = now;
     if (!expired.next || *expired.next > now) return expired;
   }
   writer_.run([&](SqliteConnection& connection) {
@@ -105,7 +147,20 @@ Expired SqliteStore::expire(std::int64_t now) {
     expired.lost = lose(connection, now, now, max_expired_at_once);
     expired.next = earlier(expired.next, next_lease(connection));
     const auto leftovers = next_leftovers(connection);
-    if (leftovers && (free_leftovers(connection, *leftovers) || next_leftovers(connection))) expired.next = now;
+    if (leftovers) {
+      free_leftovers(connection, *leftovers);
+      expired.next = now;  // there may be more, and the retention looks when there are none
+    }
+    // The room that removed jobs took is known when nothing of them is left.
+    if (!leftovers)
+      for (const std::string& id : too_old(connection, now, max_removed_at_once))
+        expired.removed += remove_one(connection, id).outcome == Removed::yes ? 1 : 0;
+    if (expired.removed > 0) expired.next = now;
+    if (const std::int64_t pages = spare_pages(connection); pages > 0 && expired.removed == 0) {
+      const auto piece = std::to_string(std::min(pages, pages_at_once));
+      connection.execute(("PRAGMA incremental_vacuum(" + piece + ")").c_str());
+      if (pages > pages_at_once) expired.next = now;
+    }
   });
   return expired;
 }

@@ -32,9 +32,9 @@ std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_docume
 
 std::optional<api::Job> SqliteStore::at_hand(const std::string& id) { return cache_.find(writer_.commits(), id); }
 
-Changes SqliteStore::changes_since(std::uint64_t sequence, std::size_t limit) {
+Changes SqliteStore::changes_since(std::uint64_t sequence, std::size_t limit, const std::optional<std::string>& owner) {
   Reader reader(*this);
-  return server::changes_since(reader.connection(), sequence, limit);
+  return server::changes_since(reader.connection(), sequence, limit, owner);
 }
 
 std::uint64_t SqliteStore::last_change() {
@@ -48,7 +48,14 @@ std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
   if (filter.kind) sql += " AND kind = ?";
   if (filter.reference) sql += " AND reference = ?";
   if (filter.owner) sql += " AND owner = ?";
-  if (!filter.before.empty()) sql += " AND id < ?";
+  // Ids are in the order of time, so that one index serves times and pages.
+  std::string before = filter.before;
+  if (filter.created_before) {
+    const std::string time = first_id(*filter.created_before);
+    before = before.empty() ? time : std::min(before, time);
+  }
+  if (!before.empty()) sql += " AND id < ?";
+  if (filter.created_after) sql += " AND id >= ?";
   sql += " ORDER BY id DESC LIMIT ?";
   Reader reader(*this);
   Query rows = reader.query(sql);
@@ -56,7 +63,8 @@ std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
   if (filter.kind) rows << *filter.kind;
   if (filter.reference) rows << *filter.reference;
   if (filter.owner) rows << *filter.owner;
-  if (!filter.before.empty()) rows << filter.before;
+  if (!before.empty()) rows << before;
+  if (filter.created_after) rows << first_id(*filter.created_after);
   rows << static_cast<std::int64_t>(filter.limit);
   std::vector<api::Job> jobs;
   while (rows.step()) jobs.push_back(job_from_row(rows));

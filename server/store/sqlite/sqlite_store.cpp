@@ -132,50 +132,55 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
   return {Inserted::What::created, id};
 }
 
+bool SqliteStore::cancel_one(SqliteConnection& connection, const std::string& id, std::int64_t now) {
+  const std::int64_t change = changes_.next();
+  const int queued = (connection.query("UPDATE jobs SET state = 'cancelled', error = ?, finished_at = ?, "
+                                       "revision = revision + 1, changed = ? WHERE id = ? AND state = 'queued'")
+                      << cancelled_error(id) << now << change << id)
+                         .run();
+  if (queued == 1) changes_.note(change, id, api::JobState::cancelled);
+  if (queued == 1) return true;
+  const int asked = (connection.query("UPDATE jobs SET cancel_requested = 1, changed = ? "
+                                      "WHERE id = ? AND state = 'running' AND cancel_requested = 0")
+                     << change << id)
+                        .run();
+  if (asked == 1) changes_.note(change, id, api::JobState::running, true);
+  return asked == 1;
+}
+
 std::optional<api::Job> SqliteStore::cancel(const std::string& id, std::int64_t now) {
-  writer_.run([&](SqliteConnection& connection) {
-    const std::int64_t change = changes_.next();
-    const int queued = (connection.query("UPDATE jobs SET state = 'cancelled', error = ?, finished_at = ?, "
-                                         "revision = revision + 1, changed = ? WHERE id = ? AND state = 'queued'")
-                        << cancelled_error(id) << now << change << id)
-                           .run();
-    if (queued == 1) return changes_.note(change, id, api::JobState::cancelled);
-    const int asked = (connection.query("UPDATE jobs SET cancel_requested = 1, changed = ? "
-                                        "WHERE id = ? AND state = 'running' AND cancel_requested = 0")
-                       << change << id)
-                          .run();
-    if (asked == 1) changes_.note(change, id, api::JobState::running, true);
-  });
+  writer_.run([&](SqliteConnection& connection) { cancel_one(connection, id, now); });
   return get(id, false);
 }
 
+SqliteStore::Gone SqliteStore::remove_one(SqliteConnection& connection, const std::string& id) {
+  Gone gone;
+  {
+    Query job = connection.query("SELECT state, seq, owner FROM jobs WHERE id = ?");
+    job << id;
+    if (!job.step()) return gone;
+    gone = {job.text(0) == "running" ? Removed::running : Removed::yes, job.integer(1), job.optional_text(2)};
+  }
+  if (gone.outcome != Removed::yes) return gone;
+  const std::int64_t change = changes_.next();
+  leave_chunks(connection, id);
+  for (const char* sql : {"DELETE FROM idempotency_keys WHERE seq = ?", "DELETE FROM results WHERE seq = ?",
+                          "DELETE FROM specs WHERE seq = ?", "DELETE FROM jobs WHERE seq = ?"})
+    (connection.query(sql) << gone.seq).run();
+  keep_removal(connection, change, id, gone.owner);
+  changes_.note(change, id, std::nullopt);
+  return gone;
+}
+
 Removed SqliteStore::remove(const std::string& id) {
-  Removed outcome = Removed::unknown;
-  std::int64_t seq = 0;
-  writer_.run([&](SqliteConnection& connection) {
-    outcome = Removed::unknown;
-    {
-      Query job = connection.query("SELECT state, seq FROM jobs WHERE id = ?");
-      job << id;
-      if (!job.step()) return;
-      outcome = job.text(0) == "running" ? Removed::running : Removed::yes;
-      seq = job.integer(1);
-    }
-    if (outcome != Removed::yes) return;
-    const std::int64_t change = changes_.next();
-    leave_chunks(connection, id);
-    for (const char* sql : {"DELETE FROM idempotency_keys WHERE seq = ?", "DELETE FROM results WHERE seq = ?",
-                            "DELETE FROM specs WHERE seq = ?", "DELETE FROM jobs WHERE seq = ?"})
-      (connection.query(sql) << seq).run();
-    keep_removal(connection, change, id);
-    changes_.note(change, id, std::nullopt);
-  });
+  Gone gone;
+  writer_.run([&](SqliteConnection& connection) { gone = remove_one(connection, id); });
   try {
-    while (outcome == Removed::yes && free_piece(seq)) {
+    while (gone.outcome == Removed::yes && free_piece(gone.seq)) {
     }
   } catch (const StoreError&) {  // the job is gone; expire() frees the rest
   }
-  return outcome;
+  return gone.outcome;
 }
 
 bool SqliteStore::free_piece(std::int64_t seq) {

@@ -24,6 +24,7 @@ struct SqliteOptions {
   std::string path;
   int max_pages = 0;        ///< > 0 caps the file's size in pages of 4 KiB: a full disk on demand
   std::size_t reserve = 0;  ///< bytes of disk set aside, so that a full disk can be emptied
+  Retention retention = {};
   Writer::Observer observer = [](double, std::size_t) {};
 };
 
@@ -36,7 +37,7 @@ class SqliteStore final : public Store {
 
   bool shared() const override { return false; }
   void listen(std::function<void(const std::vector<Changed>&)> call) override { changes_.listen(std::move(call)); }
-  Changes changes_since(std::uint64_t sequence, std::size_t limit) override;
+  Changes changes_since(std::uint64_t sequence, std::size_t limit, const std::optional<std::string>& owner) override;
   std::uint64_t last_change() override;
 
   void insert(NewJob job, std::function<void(Inserted, std::exception_ptr)> done) override;
@@ -57,6 +58,8 @@ class SqliteStore final : public Store {
   std::optional<api::Job> cancel(const std::string& id, std::int64_t now) override;
   bool cancel_requested(const std::string& id) override;
   Removed remove(const std::string& id) override;
+  std::size_t cancel_all(const JobFilter& filter, std::int64_t now) override;
+  std::size_t remove_all(const JobFilter& filter) override;
   std::unique_ptr<StoredText> open_document(const std::string& id) override;
   std::unique_ptr<StoredText> open_result(const std::string& id) override;
   std::optional<SeriesInfo> series(const std::string& id) override;
@@ -73,6 +76,22 @@ class SqliteStore final : public Store {
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; returns their jobs.
   std::vector<std::string> lose(SqliteConnection& connection, std::int64_t until, std::int64_t now, std::size_t most);
+  /// Cancels the job within a transaction; returns whether that changed it.
+  bool cancel_one(SqliteConnection& connection, const std::string& id, std::int64_t now);
+  struct Gone {
+    Removed outcome = Removed::unknown;
+    std::int64_t seq = 0;
+    std::optional<std::string> owner = {};
+  };
+  /// Removes the job within a transaction; its setpoints become leftovers.
+  Gone remove_one(SqliteConnection& connection, const std::string& id);
+  /// Calls `work` within transactions for a few hundred matching jobs at a time; returns how often it was true.
+  std::size_t for_all(JobFilter filter, Writer::Bytes adds,
+                      const std::function<bool(SqliteConnection&, const std::string& id)>& work);
+  /// Returns ended jobs that the retention does not keep, what ended first first, at most `most`.
+  std::vector<std::string> too_old(SqliteConnection& connection, std::int64_t now, std::size_t most) const;
+  /// Returns how many free pages are to be given back to the disk; 0 where the file cannot shrink.
+  std::int64_t spare_pages(SqliteConnection& connection) const;
   /// Frees a piece of a series that was left over; returns whether there are more.
   bool free_piece(std::int64_t seq);
   /// Runs `work` on the writer and returns its result.

@@ -15,8 +15,8 @@ class SecondView final : public ChangeSource {
   explicit SecondView(const std::filesystem::path& path) : connection_(path.string(), false) {}
   bool shared() const override { return true; }
   void listen(std::function<void(const std::vector<Changed>&)>) override {}
-  Changes changes_since(std::uint64_t sequence, std::size_t limit) override {
-    return cut_off ? Changes{} : server::changes_since(connection_, sequence, limit);
+  Changes changes_since(std::uint64_t sequence, std::size_t limit, const std::optional<std::string>& owner) override {
+    return cut_off ? Changes{} : server::changes_since(connection_, sequence, limit, owner);
   }
   std::uint64_t last_change() override { return server::last_change(connection_); }
   std::atomic<bool> cut_off{false};
@@ -57,11 +57,10 @@ TEST_F(ChangeFeedTest, WakesByAskingWhereAnotherProcessCommits) {
   SecondView view(folder.path / "store.db");
   const ChangeFeed feed(view, hooks, 10ms);
   const auto asleep = wait(other);
-  for (const std::string step : {"claim", "progress", "cancel", "end", "remove"}) {
+  for (const std::string step : {"claim", "cancel", "end", "remove"}) {
     const auto woken = wait(id);
     EXPECT_EQ(woken.wait_for(50ms), std::future_status::timeout) << "before " << step;
     if (step == "claim") claim(*store, 1);
-    if (step == "progress") store->progress({id, 1, 0.5, "half", "", 5}, [] {});
     if (step == "cancel") store->cancel(id, 2);
     if (step == "end") store->end(id, 1, {api::JobState::cancelled, "{}", 2, 0});
     if (step == "remove") store->remove(id);

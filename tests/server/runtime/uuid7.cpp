@@ -30,6 +30,17 @@ TEST(Uuid7, CarriesTheTime) {
   EXPECT_EQ(ids.next(0x018f1234abcd).substr(0, 13), "018f1234-abcd");
 }
 
+TEST(Uuid7, NoIdOfAMillisecondIsBelowItsFirst) {
+  Uuid7 ids;
+  for (const std::int64_t ms : {std::int64_t{1}, std::int64_t{1'700'000'000'000}, (std::int64_t{1} << 48) - 2}) {
+    const std::string id = ids.next(ms);
+    EXPECT_GE(id, first_id(ms));
+    EXPECT_LT(id, first_id(ms + 1));
+    EXPECT_EQ(first_id(ms).size(), id.size());
+  }
+  EXPECT_EQ(first_id(-5), first_id(0));
+}
+
 TEST(Uuid7, GrowsWhateverTheClockDoes) {
   Uuid7 ids;
   std::int64_t now = 1'700'000'000'000;

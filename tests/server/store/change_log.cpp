@@ -38,7 +38,7 @@ TEST_F(ChangeLogTest, ListenersHearOfCommittedChangesOnly) {
 
 TEST_F(ChangeLogTest, NumbersGoOnAfterTheLastOneOfTheDatabase) {
   EXPECT_EQ(last_change(connection), 0u);
-  keep_removal(connection, 41, "gone");
+  keep_removal(connection, 41, "gone", {});
   EXPECT_EQ(last_change(connection), 41u);
   ChangeLog log;
   log.open(connection);
@@ -46,19 +46,19 @@ TEST_F(ChangeLogTest, NumbersGoOnAfterTheLastOneOfTheDatabase) {
 }
 
 TEST_F(ChangeLogTest, RemovalsAreForgottenFromTheOldestOnAndThatIsTold) {
-  for (int i = 1; i <= 1030; ++i) keep_removal(connection, i, "job" + std::to_string(i));
+  for (int i = 1; i <= 1030; ++i) keep_removal(connection, i, "job" + std::to_string(i), {});
   EXPECT_EQ(last_change(connection), 1030u);
-  const Changes all = changes_since(connection, 0, 2000);
+  const Changes all = changes_since(connection, 0, 2000, {});
   EXPECT_EQ(all.list.size(), 1024u);
   EXPECT_TRUE(all.gap);
   EXPECT_EQ(all.list.front().sequence, 7u);
   EXPECT_EQ(all.list.front().id, "job7");
   EXPECT_EQ(all.list.front().state, std::nullopt);
-  const Changes late = changes_since(connection, 1000, 5);
+  const Changes late = changes_since(connection, 1000, 5, {});
   EXPECT_FALSE(late.gap);
   ASSERT_EQ(late.list.size(), 5u);
   EXPECT_EQ(late.list.front().sequence, 1001u);
-  EXPECT_TRUE(changes_since(connection, 1030, 5).list.empty());
+  EXPECT_TRUE(changes_since(connection, 1030, 5, {}).list.empty());
 }
 
 }  // namespace
