@@ -23,11 +23,12 @@ using nlohmann::json;
 struct StoredLaw {
   cam::CamLaw law;
   cam::TableCycle cycle;
-  std::string unit;  // unit of the slave
+  std::string unit, master_unit;
 
   explicit StoredLaw(const json& result) {
     const json& details = result.at("details");
     const json& master = details.at("master");
+    master_unit = master.at("unit").get<std::string>();
     cycle.begin = master.at("begin").get<double>();
     cycle.length = master.at("length").get<double>();
     cycle.duration = result.at("summary").at("cycle_duration").get<double>();
@@ -188,11 +189,19 @@ std::string codesys_xyva(const ControllerTable& table, const std::string& name, 
          "', pce := ADR(" + name + "_A));\nEND_VAR\n";
 }
 
-std::string sentence(const std::array<double, 4>& error, const std::string& unit) {
-  char text[200];
+std::string sentence(const ControllerTable& table, const std::string& unit, const std::string& master_unit) {
+  const std::array<double, 4>& error = table.error;
+  char text[300];
   std::snprintf(text, sizeof text, "position %.3g %s, velocity %.3g %s/s, acceleration %.3g %s/s2, jerk %.3g %s/s3",
                 error[0], unit.c_str(), error[1], unit.c_str(), error[2], unit.c_str(), error[3], unit.c_str());
-  return text;
+  std::string out = text;
+  if (table.steps > 0) {
+    std::snprintf(text, sizeof text, "; %zu %s of the law %s at most %.3g %s", table.steps,
+                  table.steps == 1 ? "jump" : "jumps", table.steps == 1 ? "takes" : "take", table.longest_step,
+                  master_unit.c_str());
+    out += text;
+  }
+  return out;
 }
 
 /// The table that a layout holds.
@@ -203,16 +212,11 @@ ControllerTable table_for(const StoredLaw& stored, ControllerLayout layout) {
     case ControllerLayout::twincat_mc3:
       return cam::breaks_table(stored.law, stored.cycle, 10000);
     case ControllerLayout::lcamhdl_advanced:
-      return stored.law.pieces() <= 50 ? cam::breaks_table(stored.law, stored.cycle, 51, false, true)
-                                       : cam::even_table(stored.law, stored.cycle, 50, Between::quintic);
+      return cam::breaks_table(stored.law, stored.cycle, 51, false, true);
     case ControllerLayout::codesys_xyva:
       return cam::breaks_table(stored.law, stored.cycle, 1024, false);
-    case ControllerLayout::lcamhdl_basic: {
-      ControllerTable even = cam::even_table(stored.law, stored.cycle, 50, Between::quintic);
-      if (stored.law.pieces() > 50) return even;
-      ControllerTable breaks = cam::breaks_table(stored.law, stored.cycle, 51, false);
-      return breaks.error[0] < even.error[0] ? breaks : even;
-    }
+    case ControllerLayout::lcamhdl_basic:
+      return cam::breaks_table(stored.law, stored.cycle, 51, false);
     case ControllerLayout::lcamhdl_xy:
       return cam::even_table(stored.law, stored.cycle, steps - 1, Between::straight);
     case ControllerLayout::isg: {
@@ -233,7 +237,7 @@ ControllerFile controller_file(const json& result, ControllerLayout layout, std:
   const ControllerTable table = table_for(stored, layout);
   ControllerFile file;
   file.error = table.error;
-  file.refit_error = sentence(table.error, stored.unit);
+  file.refit_error = sentence(table, stored.unit, stored.master_unit);
   file.content_type = "text/plain; charset=utf-8";
   file.extension = "txt";
   const std::string inside(name);

@@ -49,7 +49,9 @@ std::vector<double> part(const std::vector<double>& b, double from, double to) {
 /// Takes the difference of law and table between t0 and t1 into the errors.
 void take_difference(const CamLaw& law, double t0, double t1, const std::vector<double>& table,
                      std::array<double, 4>& error) {
-  for (std::size_t i = 0; i < law.pieces(); ++i) {
+  const auto behind = std::upper_bound(law.breaks().begin() + 1, law.breaks().end() - 1, t0);
+  for (auto i = static_cast<std::size_t>(behind - law.breaks().begin()) - 1; i < law.pieces(); ++i) {
+    if (law.breaks()[i] >= t1) break;
     const double begin = std::max(t0, law.breaks()[i]), end = std::min(t1, law.breaks()[i + 1]);
     if (!(end - begin > 1e-12 * law.duration())) continue;
     const double own = law.breaks()[i], length = law.piece_duration(i);
@@ -73,66 +75,203 @@ void take_difference(const CamLaw& law, double t0, double t1, const std::vector<
   }
 }
 
-/// Returns the table of points at given times, joined by `between`.
-ControllerTable table_at(const CamLaw& law, const TableCycle& cycle, const std::vector<double>& times,
-                         const std::vector<Between>& between, bool own_ends) {
-  ControllerTable out;
-  const double rate = cycle.duration / cycle.length;  // s per master's unit
-  const auto point = [&](std::size_t k, const std::array<double, 4>& now) {
-    const bool last = k + 1 == times.size();
-    return TablePoint{cycle.begin + (last ? cycle.length : times[k] / rate),
-                      now[0],
-                      now[1] * rate,
-                      now[2] * rate * rate,
-                      now[3] * rate * rate * rate,
-                      last ? between.back() : between[k]};
+/// The table in the making: its points by their times, and the curves between them.
+class Table {
+ public:
+  Table(const CamLaw& law, const TableCycle& cycle, bool own_ends) : law_(law), cycle_(cycle), own_ends_(own_ends) {}
+
+  /// A curve of the table, and how far it is from the law.
+  struct Curve {
+    double begin = 0, end = 0;
+    Between between = Between::straight;
+    bool step = false;  ///< carries a jump of the law
+    std::array<double, 4> error{};
   };
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const bool last = k + 1 == times.size();
-    const std::array<double, 4> now = state(law, times[k], last);
-    out.points.push_back(point(k, now));
-    if (last) break;
-    // A controller that knows one state per point takes the one behind it.
-    const std::array<double, 4> next = state(law, times[k + 1], own_ends || k + 2 == times.size());
-    out.ends.push_back(point(k + 1, next));
-    take_difference(law, times[k], times[k + 1], driven(between[k], times[k + 1] - times[k], now, next), out.error);
+
+  /// Returns the curve from one time to another.
+  Curve curve(double begin, double end, Between between, bool step = false) const {
+    Curve out{begin, end, between, step, {}};
+    take_difference(law_, begin, end, driven(between, end - begin, state(law_, begin, false), state_at_end(end)),
+                    out.error);
+    return out;
   }
-  return out;
+
+  ControllerTable finish(const std::vector<Curve>& curves) const {
+    ControllerTable out;
+    for (const Curve& curve : curves) {
+      out.points.push_back(point(curve.begin, state(law_, curve.begin, false), curve.between));
+      out.ends.push_back(point(curve.end, state_at_end(curve.end), curve.between));
+      for (std::size_t r = 0; r < out.error.size(); ++r) out.error[r] = std::max(out.error[r], curve.error[r]);
+      if (curve.step) ++out.steps, out.longest_step = std::max(out.longest_step, (curve.end - curve.begin) / rate());
+    }
+    out.points.push_back(out.ends.back());
+    clean_zeros(out);
+    return out;
+  }
+
+ private:
+  double rate() const { return cycle_.duration / cycle_.length; }  // s per master's unit
+  double law_end() const { return law_.breaks().back(); }
+  /// A controller that knows one state per point takes the one behind it.
+  std::array<double, 4> state_at_end(double t) const { return state(law_, t, own_ends_ || t >= law_end()); }
+  TablePoint point(double t, const std::array<double, 4>& now, Between next) const {
+    const double unit = rate();
+    return {cycle_.begin + (t >= law_end() ? cycle_.length : t / unit),
+            now[0],
+            now[1] * unit,
+            now[2] * unit * unit,
+            now[3] * unit * unit * unit,
+            next};
+  }
+  /// Writes 0 for what is rounding beside the largest value of its order.
+  void clean_zeros(ControllerTable& table) const {
+    int order = 0;
+    for (double TablePoint::*column :
+         {&TablePoint::position, &TablePoint::velocity, &TablePoint::acceleration, &TablePoint::jerk}) {
+      const double little = 1e-13 * law_.peak(order).value * std::pow(rate(), order);
+      for (auto* list : {&table.points, &table.ends})
+        for (TablePoint& p : *list)
+          if (std::abs(p.*column) <= little) p.*column = 0;
+      ++order;
+    }
+  }
+
+  const CamLaw& law_;
+  const TableCycle& cycle_;
+  const bool own_ends_;
+};
+
+/// Returns whether s^(order) jumps at the break at which a piece begins, beside the derivative's peak.
+bool jumps(const CamLaw& law, std::size_t piece, int order, double peak) {
+  return std::abs(law.in_piece(piece - 1, 1, order) - law.in_piece(piece, 0, order)) > 1e-7 * peak;
 }
+
+/// Makes tables whose points lie where the law needs them.
+class BreaksTable {
+ public:
+  BreaksTable(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic, bool own_ends)
+      : law_(law), table_(law, cycle, own_ends), max_points_(max_points), septic_(septic), own_ends_(own_ends) {
+    const auto range = law.extremes(0);
+    position_room_ = 1e-6 * (range.highest.value - range.lowest.value);
+    peaks_ = {0, law.peak(1).value, law.peak(2).value, law.peak(3).value};
+    jerk_room_ = 0.01 * std::max(peaks_[3], 1e-3 * peaks_[2] / law.duration());
+  }
+
+  ControllerTable make() {
+    lay_curves();
+    const auto worse = [&](std::size_t a, std::size_t b) { return excess(curves_[a]) < excess(curves_[b]); };
+    std::vector<std::size_t> heap(curves_.size());
+    for (std::size_t i = 0; i < heap.size(); ++i) heap[i] = i;
+    std::make_heap(heap.begin(), heap.end(), worse);
+    while (!heap.empty() && curves_.size() + 1 < max_points_) {
+      std::pop_heap(heap.begin(), heap.end(), worse);
+      const std::size_t worst = heap.back();
+      heap.pop_back();
+      if (!(excess(curves_[worst]) > 1)) break;
+      const double middle = division(curves_[worst]);
+      if (!(middle > 0)) continue;
+      const double end = curves_[worst].end;
+      curves_[worst] = curve(curves_[worst].begin, middle);
+      curves_.push_back(curve(middle, end));
+      for (const std::size_t part : {worst, curves_.size() - 1}) {
+        heap.push_back(part);
+        std::push_heap(heap.begin(), heap.end(), worse);
+      }
+    }
+    std::sort(curves_.begin(), curves_.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
+    return table_.finish(curves_);
+  }
+
+ private:
+  using Curve = Table::Curve;
+  static constexpr double step_part = 1e-3;          // part of its piece that a step takes
+  static constexpr double smallest_part = 1 / 64.0;  // part of its piece that a curve takes at least
+
+  /// Begins with curves between the breaks of the law, or where these are too many between its jumps.
+  void lay_curves() {
+    std::vector<bool> jump(law_.pieces() + 1, false);
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < law_.pieces(); ++i)
+      if ((jump[i] = jumps(law_, i, 1, peaks_[1]) || jumps(law_, i, 2, peaks_[2]))) ++count;
+    const std::size_t steps = own_ends_ ? 0 : count;
+    const bool all = law_.pieces() + 1 + steps <= max_points_;
+    const bool with_steps = !own_ends_ && 2 * count + 2 <= max_points_;
+    double begin = law_.breaks().front();
+    for (std::size_t i = 1; i <= law_.pieces(); ++i) {
+      const bool last = i == law_.pieces();
+      if (!last && !all && !(jump[i] && (own_ends_ ? count + 2 <= max_points_ : with_steps))) continue;
+      double end = law_.breaks()[i];
+      if (!last && jump[i] && with_steps) {
+        const double before = end - step_part * law_.piece_duration(i - 1);
+        curves_.push_back(curve(begin, before));
+        curves_.push_back(table_.curve(before, end, Between::quintic, true));
+      } else {
+        curves_.push_back(curve(begin, end));
+      }
+      begin = end;
+    }
+  }
+
+  Curve curve(double begin, double end) const { return table_.curve(begin, end, between(begin, end)); }
+
+  /// A polynomial of degree 7 takes the jerk at its ends: a jump of the jerk has no place there.
+  Between between(double begin, double end) const {
+    if (!septic_) return Between::quintic;
+    const std::size_t piece = piece_at(begin);
+    const bool whole = end >= law_.breaks()[piece + 1];
+    if (end > law_.breaks()[piece + 1] || law_.piece(piece).degree() <= 5 ||
+        (whole && piece + 1 < law_.pieces() && jumps(law_, piece + 1, 3, peaks_[3])))
+      return Between::quintic;
+    return Between::septic;
+  }
+
+  std::size_t piece_at(double t) const {
+    const auto behind = std::upper_bound(law_.breaks().begin() + 1, law_.breaks().end() - 1, t);
+    return static_cast<std::size_t>(behind - law_.breaks().begin()) - 1;
+  }
+
+  double excess(const Curve& curve) const {
+    if (curve.step) return 0;
+    return std::max(curve.error[0] / std::max(position_room_, 1e-300), curve.error[3] / std::max(jerk_room_, 1e-300));
+  }
+
+  /// Returns where a curve is divided: at the break of the law nearest to its middle, or there; 0: it is short enough.
+  double division(const Curve& curve) const {
+    const double middle = (curve.begin + curve.end) / 2, slack = 1e-9 * (curve.end - curve.begin);
+    double best = 0;
+    for (std::size_t i = piece_at(curve.begin) + 1; i < law_.pieces() && law_.breaks()[i] < curve.end - slack; ++i)
+      if (law_.breaks()[i] > curve.begin + slack &&
+          (best == 0 || std::abs(law_.breaks()[i] - middle) < std::abs(best - middle)))
+        best = law_.breaks()[i];
+    if (best != 0) return best;
+    const double piece = law_.piece_duration(piece_at(middle));
+    return middle - curve.begin < smallest_part * piece * (1 - 1e-9) ? 0 : middle;
+  }
+
+  const CamLaw& law_;
+  Table table_;
+  const std::size_t max_points_;
+  const bool septic_, own_ends_;
+  double position_room_ = 0, jerk_room_ = 0;
+  std::array<double, 4> peaks_{};
+  std::vector<Curve> curves_;
+};
 
 }  // namespace
 
 ControllerTable even_table(const CamLaw& law, const TableCycle& cycle, std::size_t steps, Between between) {
-  std::vector<double> times;
-  for (std::size_t k = 0; k <= steps; ++k)
-    times.push_back(law.duration() * static_cast<double>(k) / static_cast<double>(steps));
-  return table_at(law, cycle, times, std::vector<Between>(times.size(), between), false);
+  const Table table(law, cycle, false);
+  std::vector<Table::Curve> curves;
+  const auto time = [&](std::size_t k) {
+    return k == steps ? law.breaks().back() : law.duration() * static_cast<double>(k) / static_cast<double>(steps);
+  };
+  for (std::size_t k = 0; k < steps; ++k) curves.push_back(table.curve(time(k), time(k + 1), between));
+  return table.finish(curves);
 }
 
 ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic,
                              bool own_ends) {
-  const auto range = law.extremes(0);
-  const double stroke = range.highest.value - range.lowest.value, jerk = law.peak(3).value;
-  std::vector<bool> jumps(law.pieces() + 1, false);
-  for (std::size_t i = 0; i + 1 < law.pieces(); ++i)
-    jumps[i + 1] = std::abs(law.in_piece(i, 1, 3) - law.in_piece(i + 1, 0, 3)) > 1e-7 * jerk;
-  ControllerTable best;
-  for (std::size_t parts = 1; parts <= 64; parts *= 2) {
-    if (parts > 1 && law.pieces() * parts + 1 > max_points) break;
-    std::vector<double> times;
-    std::vector<Between> between;
-    for (std::size_t i = 0; i < law.pieces(); ++i)
-      for (std::size_t k = 0; k < parts; ++k) {
-        times.push_back(law.breaks()[i] + law.piece_duration(i) * static_cast<double>(k) / static_cast<double>(parts));
-        const bool rough = !septic || (k + 1 == parts && jumps[i + 1]) || law.piece(i).degree() <= 5;
-        between.push_back(rough ? Between::quintic : Between::septic);
-      }
-    times.push_back(law.duration());
-    between.push_back(between.back());
-    best = table_at(law, cycle, times, between, own_ends);
-    if (best.error[0] <= 1e-6 * stroke && best.error[3] <= 0.01 * jerk) break;
-  }
-  return best;
+  return BreaksTable(law, cycle, max_points, septic, own_ends).make();
 }
 
 }  // namespace bahnwerk::cam

@@ -29,17 +29,21 @@ struct ControllerTable {
   std::vector<TablePoint> ends;  ///< states at the ends of the curves, one per curve
   /// True peak of the difference between s^(r) of the law and of the table, r = 0 … 3, unit/s^r, at cycle.duration.
   std::array<double, 4> error{};
+  std::size_t steps = 0;    ///< jumps of velocity or acceleration that a short curve carries
+  double longest_step = 0;  ///< length of the longest of these curves, master's unit
 };
 
 /// Makes a table with equal steps.
 ControllerTable even_table(const CamLaw& law, const TableCycle& cycle, std::size_t steps, Between between);
 
-/// Makes a table with points at the breaks of the law, pieces divided into 1, 2, 4 … 64 equal parts until the table is
-/// within 1e-6 of the stroke and 1 % of the peak jerk, or has `max_points`. A polynomial of degree 5 takes position,
-/// velocity and acceleration at its ends, one of degree 7 the jerk, too: it is used between points where the jerk does
-/// not jump. A piece of degree 5 (7) at most is itself, where both hold. `septic` false: degree 5 alone. `own_ends`:
-/// the controller knows the state at the end of each curve beside that at the begin of the next one; else the latter
-/// counts.
+/// Makes a table with points at the breaks of the law (where these are more than `max_points`, at its jumps); the curve
+/// that is worst is divided, at a break or in its middle, until the table is within 1e-6 of the stroke and 1 % of the
+/// peak jerk, or has `max_points`, or the curve is 1/64 of a piece. A polynomial of degree 5 takes position, velocity
+/// and acceleration at its ends, one of degree 7 the jerk, too: it is used between points where the jerk does not jump.
+/// A piece of degree 5 (7) at most is itself, where both hold. `septic` false: degree 5 alone. `own_ends`: the
+/// controller knows the state at the end of each curve beside that at the begin of the next one, and carries jumps
+/// exactly; else the latter counts, and a jump of velocity or acceleration takes a curve of its own, a thousandth of
+/// the piece before it.
 ControllerTable breaks_table(const CamLaw& law, const TableCycle& cycle, std::size_t max_points, bool septic = true,
                              bool own_ends = false);
 

@@ -56,6 +56,52 @@ TEST(ControllerTable, PiecesAreDividedUntilTheTableFits) {
   EXPECT_EQ(breaks_table(ninth(), cycle, 3).points.size(), 3u);
 }
 
+/// 40 units in 2 s by constant acceleration and deceleration.
+CamLaw parabolas() { return {{0, 1, 2}, {{0, {0, 0, 20}}, {0, {20, 40, 40}}}, false}; }
+
+TEST(ControllerTable, AJumpOfTheAccelerationIsCarriedExactlyWhereCurvesHaveStatesOfTheirOwn) {
+  const ControllerTable table = breaks_table(parabolas(), cycle, 51, false, true);
+  ASSERT_EQ(table.points.size(), 3u);
+  EXPECT_EQ(table.steps, 0u);
+  EXPECT_LT(table.error[0], 1e-13);
+  EXPECT_LT(table.error[2], 1e-11);
+  EXPECT_NEAR(table.ends[0].acceleration, 40.0 / 2500, 1e-15);
+  EXPECT_NEAR(table.points[1].acceleration, -40.0 / 2500, 1e-15);
+}
+
+TEST(ControllerTable, AJumpOfTheAccelerationTakesAShortCurveWhereAPointHasOneState) {
+  const ControllerTable table = breaks_table(parabolas(), cycle, 51, false);
+  ASSERT_EQ(table.points.size(), 4u);
+  EXPECT_EQ(table.steps, 1u);
+  EXPECT_NEAR(table.longest_step, 0.05, 1e-12);
+  EXPECT_NEAR(table.points[1].acceleration, 40.0 / 2500, 1e-15);
+  EXPECT_NEAR(table.points[2].acceleration, -40.0 / 2500, 1e-15);
+  EXPECT_LT(table.error[0], 4e-5);
+}
+
+TEST(ControllerTable, ALawOfMorePiecesThanPointsKeepsItsJumpsAndTheWorstCurvesAreDivided) {
+  std::vector<double> breaks{0};
+  std::vector<LawPiece> pieces;
+  for (int i = 0; i < 80; ++i) {  // 39 pieces of one parabola, 41 of the other
+    breaks.push_back(i < 39 ? (i + 1) / 39.0 : 1 + (i - 38) / 41.0);
+    const double from = breaks[breaks.size() - 2], to = breaks.back(), middle = (from + to) / 2;
+    const auto s = [](double t) { return t <= 1 ? 20 * t * t : 40 - 20 * (2 - t) * (2 - t); };
+    pieces.push_back({0, {s(from), 2 * s(middle) - (s(from) + s(to)) / 2, s(to)}});
+  }
+  const ControllerTable table = breaks_table({breaks, pieces, false}, cycle, 51, false, true);
+  EXPECT_EQ(table.points.size(), 3u);
+  EXPECT_LT(table.error[0], 1e-12);
+  EXPECT_LT(table.error[2], 1e-9);
+}
+
+TEST(ControllerTable, WhatIsRoundingBesideTheColumnIsZero) {
+  const CamLaw law({0, 2}, {{0, {0, 0, 1e-17, 40, 40 - 1e-15, 40}}}, false);
+  const ControllerTable table = breaks_table(law, cycle, 51, false);
+  EXPECT_EQ(table.points[0].acceleration, 0);
+  EXPECT_EQ(table.points[1].velocity, 0);
+  EXPECT_FALSE(std::signbit(table.points[1].acceleration));
+}
+
 TEST(ControllerTable, StraightLinesMissTheWholeAcceleration) {
   const ControllerTable table = even_table(quintic(), cycle, 1000, Between::straight);
   EXPECT_EQ(table.points.size(), 1001u);
