@@ -18,6 +18,8 @@ namespace {
 
 using Conversions = std::vector<Conversion>;
 
+constexpr std::size_t most_next = 64;  // distributions that follow the balanced ones where all of these are singular
+
 /// A range that a law does not keep.
 struct Violation {
   Conversion conversion;
@@ -124,6 +126,8 @@ class Search {
       });
     for (const auto& degrees : found.degrees)
       if (degrees != first && succeeds(degrees)) return out;
+    for (const auto& degrees : next_degrees(point_shares(task), sections_with_unknowns(task), max_degree, most_next))
+      if (succeeds(degrees)) return out;
     if (conversions.empty()) throw singular_faults(problem_, *singular);
     return out;
   }
@@ -137,21 +141,28 @@ class Search {
     const std::size_t left = options_.sections > solved_sections_ ? options_.sections - solved_sections_ : 0;
     const std::size_t wanted = best_.law.pieces() > 0 ? 1 + left / task.sections() : options_.distributions;
     const DegreeDistributions found = distributions(task, std::min(options_.distributions, wanted));
-    for (const auto& degrees : found.degrees) {
-      if (spent() && best_.law.pieces() > 0) return;
+    bool singular = !found.degrees.empty();
+    // Returns whether there is effort left for more.
+    const auto look_at = [&](const std::vector<int>& degrees, std::size_t of) {
+      if (spent() && best_.law.pieces() > 0) return false;
       const SolvedSpline solved = solve(task, degrees);
-      if (solved.singular) continue;
+      if (solved.singular) return true;
+      singular = false;
       CamLaw law = assemble_law(task, solved);
       const auto violated = violations(law, conversions);
-      if (violated.empty()) {
-        consider(std::move(law), conversions, degrees, found.degrees.size());
-        continue;
-      }
+      if (violated.empty()) consider(std::move(law), conversions, degrees, of);
       for (const Violation& each : violated) {
         waiting_.push_back(conversions);
         waiting_.back().push_back(each.conversion);
       }
-    }
+      return true;
+    };
+    for (const auto& degrees : found.degrees)
+      if (!look_at(degrees, found.degrees.size())) return;
+    if (!singular) return;
+    const auto next = next_degrees(point_shares(task), sections_with_unknowns(task), max_degree, most_next);
+    for (const auto& degrees : next)
+      if (!look_at(degrees, next.size())) return;
   }
 
   static int distance(const std::vector<int>& a, const std::vector<int>& b) {
@@ -287,6 +298,8 @@ void check_spline(const MotionLawProblem& problem, const std::vector<double>& at
     if (!solved.singular) return;
     if (!singular) singular = solved.singular;
   }
+  for (const auto& degrees : next_degrees(point_shares(task), sections_with_unknowns(task), max_degree, most_next))
+    if (!solve_spline(task, degrees).singular) return;
   throw singular_faults(problem, *singular);
 }
 

@@ -65,6 +65,16 @@ class Chain {
     std::vector<int> degrees(sections_.size(), -1);
     return follow(0, -1, best_, degrees, out, at_most);
   }
+  /// Adds the distributions whose sum of squares is `sum`, up to `at_most` in `out`, and looks at some thousand
+  /// choices.
+  void list_sum(int sum, std::set<std::vector<int>>& out, std::size_t at_most, std::size_t variety) {
+    constexpr std::size_t enough = 20000;
+    variety_ = variety, choices_left_ = enough;
+    exact_ = false;
+    std::vector<int> degrees(sections_.size(), -1);
+    follow(0, -1, sum, degrees, out, at_most);
+    exact_ = true;
+  }
 
  private:
   int choices(std::size_t i) const { return points_[i].before_max - points_[i].before_min + 1; }
@@ -98,15 +108,17 @@ class Chain {
     return maximum ? d : d * d;
   }
   bool follow(std::size_t i, int choice, int left, std::vector<int>& degrees, std::set<std::vector<int>>& out,
-              std::size_t at_most) const {
+              std::size_t at_most) {
+    if (!exact_ && choices_left_-- == 0) return choices_left_ = 0, false;
     if (i + 1 == points_.size() && choice >= 0) {
+      if (left != 0) return true;
       if (out.size() >= at_most) return out.count(degrees) > 0;
       out.insert(degrees);
       return true;
     }
     if (choice < 0) {
       for (int first = 0; first < choices(0); ++first)
-        if (costs_[0][static_cast<std::size_t>(first)] == left && !follow(0, first, left, degrees, out, at_most))
+        if (reaches(costs_[0][static_cast<std::size_t>(first)], left) && !follow(0, first, left, degrees, out, at_most))
           return false;
       return true;
     }
@@ -114,20 +126,23 @@ class Chain {
     for (int k = 0; k < count; ++k) {
       const int next = (k + first_choice(i)) % count;
       const int own = cost(i, choice, next, false), rest = costs_[i + 1][static_cast<std::size_t>(next)];
-      if (own == unreachable || rest == unreachable || own + rest != left) continue;
+      if (own == unreachable || rest == unreachable || !reaches(own + rest, left)) continue;
       degrees[i] = sections_[i] ? degree(i, choice, next) : -1;
-      if (!follow(i + 1, next, rest, degrees, out, at_most)) return false;
+      if (!follow(i + 1, next, left - own, degrees, out, at_most)) return false;
     }
     return true;
   }
 
+  /// Returns whether sections whose least cost is `least` may have the cost that is left.
+  bool reaches(int least, int left) const { return exact_ ? least == left : least <= left; }
   int first_choice(std::size_t i) const {
     if (variety_ == 0) return 0;
     const std::uint64_t mixed = (i + 1) * 0x9e3779b97f4a7c15ULL ^ variety_ * 0xbf58476d1ce4e5b9ULL;
     return static_cast<int>((mixed * 0x94d049bb133111ebULL) >> 56);
   }
 
-  std::size_t variety_ = 0;
+  std::size_t variety_ = 0, choices_left_ = 0;
+  bool exact_ = true;  // the cost is the least one
   std::vector<PointShare> points_;
   const std::vector<bool>& sections_;
   std::vector<std::vector<int>> costs_;
@@ -136,21 +151,30 @@ class Chain {
 
 }  // namespace
 
+namespace {
+
+/// Returns the path of points, or one per share of the first point around a cycle.
+std::vector<Chain> make_chains(const std::vector<PointShare>& shares, const std::vector<bool>& sections) {
+  std::vector<Chain> chains;
+  if (sections.size() != shares.size()) {
+    chains.emplace_back(shares, sections);
+    return chains;
+  }
+  for (int before = shares[0].before_max; before >= shares[0].before_min; --before) {
+    std::vector<PointShare> points = shares;
+    points.front().before_min = points.front().before_max = before;
+    points.push_back(points.front());
+    chains.emplace_back(std::move(points), sections);
+  }
+  return chains;
+}
+
+}  // namespace
+
 DegreeDistributions balance_degrees(const std::vector<PointShare>& shares, const std::vector<bool>& sections,
                                     int max_degree, std::size_t at_most) {
   DegreeDistributions out;
-  const bool cycle = sections.size() == shares.size();
-  std::vector<Chain> chains;
-  if (cycle) {
-    for (int before = shares[0].before_max; before >= shares[0].before_min; --before) {
-      std::vector<PointShare> points = shares;
-      points.front().before_min = points.front().before_max = before;
-      points.push_back(points.front());
-      chains.emplace_back(std::move(points), sections);
-    }
-  } else {
-    chains.emplace_back(shares, sections);
-  }
+  std::vector<Chain> chains = make_chains(shares, sections);
   int least = unreachable;
   for (Chain& chain : chains) least = std::min(least, chain.least_maximum());
   out.least_maximum = least;
@@ -186,6 +210,29 @@ DegreeDistributions balance_degrees(const std::vector<PointShare>& shares, const
   }
   out.degrees = {even.second};
   if (at_most > 1) out.degrees.insert(out.degrees.end(), found.rbegin(), found.rend());
+  return out;
+}
+
+std::vector<std::vector<int>> next_degrees(const std::vector<PointShare>& shares, const std::vector<bool>& sections,
+                                           int max_degree, std::size_t at_most) {
+  std::vector<std::vector<int>> out;
+  std::vector<Chain> chains = make_chains(shares, sections);
+  int least = unreachable, squares = unreachable;
+  for (Chain& chain : chains) least = std::min(least, chain.least_maximum());
+  if (least == unreachable || least >= max_degree) return out;
+  for (Chain& chain : chains) squares = std::min(squares, chain.least_squares(least));
+  const double most = 1.02 * static_cast<double>(squares);
+  for (Chain& chain : chains) squares = std::min(squares, chain.least_squares(least + 1));
+  constexpr std::size_t varieties = 4;
+  // The sum of degrees is given, so the sums of squares are even numbers apart.
+  for (int sum = squares; sum <= most && out.size() < at_most; sum += 2) {
+    std::set<std::vector<int>> found;
+    const std::size_t left = at_most - out.size();
+    for (std::size_t v = 0; v < varieties; ++v)
+      for (Chain& chain : chains) chain.list_sum(sum, found, std::max<std::size_t>(1, left * (v + 1) / varieties), v);
+    for (auto it = found.rbegin(); it != found.rend() && out.size() < at_most; ++it)
+      if (sum > squares || *std::max_element(it->begin(), it->end()) > least) out.push_back(*it);
+  }
   return out;
 }
 

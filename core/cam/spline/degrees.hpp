@@ -32,4 +32,10 @@ struct DegreeDistributions {
 DegreeDistributions balance_degrees(const std::vector<PointShare>& shares, const std::vector<bool>& sections,
                                     int max_degree, std::size_t at_most);
 
+/// Returns the distributions that follow the balanced ones: by their sum of squares, which is within 2 % of the least,
+/// with a largest degree that is one more at most; up to `at_most` of them, which differ all over the law. They serve
+/// where all balanced ones are singular.
+std::vector<std::vector<int>> next_degrees(const std::vector<PointShare>& shares, const std::vector<bool>& sections,
+                                           int max_degree, std::size_t at_most);
+
 }  // namespace bahnwerk::cam

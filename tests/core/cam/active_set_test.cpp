@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <random>
 
 #include "core/base/errors.hpp"
@@ -85,6 +87,17 @@ TEST(ActiveSet, FourPointsOfAPeriodicLawWithContinuityThreeAreSingular) {
                                             point(180, 3, {number(30)}), point(280, 3, {number(12)})}));
   ASSERT_FALSE(places.empty());
   EXPECT_EQ(places.front().rfind("/points/", 0), 0u);
+}
+
+TEST(ActiveSet, TwentyPositionsWithContinuityThreeAreJoinedByTheNextDistributionOfDegrees) {
+  std::vector<MotionPoint> points;
+  for (int i = 0; i < 20; ++i) points.push_back(point(18 * i, 3, {number(10 * std::sin(i * std::numbers::pi / 10))}));
+  const LawSolution found = solved(problem(360, true, points));
+  EXPECT_EQ(*std::max_element(found.degrees.begin(), found.degrees.end()), 5);
+  EXPECT_EQ(std::accumulate(found.degrees.begin(), found.degrees.end(), 0), 80);
+  EXPECT_LT(*found.condition, 1000);
+  for (double x = 0; x < 360; x += 1)
+    EXPECT_NEAR(found.law.evaluate(x, 0), 10 * std::sin(x * std::numbers::pi / 180), 0.02) << x;
 }
 
 TEST(ActiveSet, ThreeConditionsOfRankTwoAreNamed) {

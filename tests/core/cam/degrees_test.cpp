@@ -102,5 +102,21 @@ TEST(Degrees, ADegreeAboveTheLimitSaysWhichItWouldBe) {
   EXPECT_EQ(found.least_maximum, 23);
 }
 
+TEST(Degrees, TheNextOnesAreNoBalancedOnesAndWithinTwoPercentOfTheLeastSum) {
+  const std::vector<PointShare> shares(20, {5, 1, 4});
+  const std::vector<bool> sections(20, true);
+  const auto balanced = balance_degrees(shares, sections, 21, 64).degrees;
+  ASSERT_EQ(balanced, std::vector<std::vector<int>>{std::vector<int>(20, 4)});
+  const auto next = next_degrees(shares, sections, 21, 64);
+  EXPECT_EQ(next.size(), 64u);
+  EXPECT_EQ(std::set<std::vector<int>>(next.begin(), next.end()).size(), 64u);
+  for (const auto& degrees : next) {
+    int squares = 0;
+    for (const int degree : degrees) squares += degree * degree;
+    EXPECT_EQ(squares, 322);
+  }
+  EXPECT_TRUE(next_degrees(std::vector<PointShare>(4, {5, 1, 4}), std::vector<bool>(4, true), 21, 64).empty());
+}
+
 }  // namespace
 }  // namespace bahnwerk::cam
