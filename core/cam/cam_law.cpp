@@ -29,8 +29,8 @@ std::size_t derive(const LawPiece& piece, double duration, int order, BernsteinA
 
 }  // namespace
 
-CamLaw::CamLaw(std::vector<double> breaks, std::vector<LawPiece> pieces, bool periodic)
-    : breaks_(std::move(breaks)), pieces_(std::move(pieces)), periodic_(periodic) {
+CamLaw::CamLaw(std::vector<double> breaks, std::vector<LawPiece> pieces, bool periodic, double travel)
+    : breaks_(std::move(breaks)), pieces_(std::move(pieces)), periodic_(periodic), travel_(travel) {
   if (pieces_.empty() || breaks_.size() != pieces_.size() + 1) throw std::invalid_argument("a law without pieces");
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     if (!(breaks_[i] < breaks_[i + 1])) throw std::invalid_argument("breaks of a law do not ascend");
@@ -47,18 +47,21 @@ std::size_t CamLaw::max_degree() const {
 }
 
 double CamLaw::evaluate(double t, int order, std::size_t& piece) const {
+  double cycles = 0;
   if (periodic_) {
     const double whole = duration();
-    t -= whole * std::floor((t - begin()) / whole);
+    cycles = std::floor((t - begin()) / whole);
+    t -= whole * cycles;
     if (t < begin()) t = begin();
-    if (t >= breaks_.back()) t = begin();
+    if (t >= breaks_.back()) t = begin(), ++cycles;
   }
   t = std::clamp(t, breaks_.front(), breaks_.back());
   if (piece >= pieces_.size() || t < breaks_[piece] || t >= breaks_[piece + 1]) {
     const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t);
     piece = static_cast<std::size_t>(next - breaks_.begin()) - 1;
   }
-  return in_piece(piece, (t - breaks_[piece]) / piece_duration(piece), order);
+  const double value = in_piece(piece, (t - breaks_[piece]) / piece_duration(piece), order);
+  return order == 0 ? value + cycles * travel_ : value;
 }
 
 double CamLaw::in_piece(std::size_t piece, double x, int order) const {

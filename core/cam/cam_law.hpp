@@ -37,8 +37,8 @@ class CamLaw {
  public:
   CamLaw() = default;
   /// `breaks` are in s, ascending, one more than pieces; the pieces' sections ascend. Throws std::invalid_argument
-  /// otherwise.
-  CamLaw(std::vector<double> breaks, std::vector<LawPiece> pieces, bool periodic);
+  /// otherwise. `travel`: what a periodic law's position grows by in each cycle.
+  CamLaw(std::vector<double> breaks, std::vector<LawPiece> pieces, bool periodic, double travel = 0);
 
   std::size_t pieces() const { return pieces_.size(); }
   const LawPiece& piece(std::size_t i) const { return pieces_[i]; }
@@ -47,6 +47,7 @@ class CamLaw {
   double duration() const { return breaks_.back() - breaks_.front(); }
   double piece_duration(std::size_t i) const { return breaks_[i + 1] - breaks_[i]; }
   bool periodic() const { return periodic_; }
+  double travel() const { return travel_; }
   std::size_t max_degree() const;
 
   /// Returns s^(order) just after t, unit/s^order; a periodic law goes on before and after its breaks, an open one is
@@ -75,6 +76,7 @@ class CamLaw {
   std::vector<double> breaks_;
   std::vector<LawPiece> pieces_;
   bool periodic_ = false;
+  double travel_ = 0;
 };
 
 /// J of a law and what it is made of: all methods are compared by this.

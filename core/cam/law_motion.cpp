@@ -43,8 +43,9 @@ class LawMotion final : public Motion {
   CamLaw law_;
 };
 
-/// The law's cycle from `start` on (in its first cycle), its times shifted so that it begins at 0.
-CamLaw from(const CamLaw& law, double start) {
+/// The law's cycle from `start` on (in its first cycle), its times shifted so that it begins at 0, its positions by
+/// `moved`.
+CamLaw from(const CamLaw& law, double start, double moved) {
   std::vector<double> breaks{0};
   std::vector<LawPiece> pieces, before;
   std::vector<double> before_ends;
@@ -63,24 +64,30 @@ CamLaw from(const CamLaw& law, double start) {
       pieces.push_back({0, {right.begin(), right.begin() + n}}), breaks.push_back(b - start);
     }
   }
+  for (LawPiece& piece : before)
+    for (double& b : piece.bernstein) b += law.travel();
   pieces.insert(pieces.end(), before.begin(), before.end());
+  if (moved != 0)
+    for (LawPiece& piece : pieces)
+      for (double& b : piece.bernstein) b += moved;
   breaks.insert(breaks.end(), before_ends.begin(), before_ends.end());
   breaks.back() = law.duration();
-  return {std::move(breaks), std::move(pieces), law.periodic()};
+  return {std::move(breaks), std::move(pieces), law.periodic(), law.travel()};
 }
 
 }  // namespace
 
 CamLaw law_from(const CamLaw& law, double first) {
-  double start = law.begin();
+  double start = law.begin(), cycles = 0;
   if (law.periodic()) {
-    start = first - law.duration() * std::floor((first - law.begin()) / law.duration());
+    cycles = std::floor((first - law.begin()) / law.duration());
+    start = first - law.duration() * cycles;
     // A cut this close to a break would leave a piece without length.
     for (const double at : law.breaks())
       if (std::abs(start - at) < 1e-12 * law.duration()) start = at;
-    if (start >= law.breaks().back()) start = law.begin();
+    if (start >= law.breaks().back()) start = law.begin(), ++cycles;
   }
-  return from(law, start);
+  return from(law, start, cycles * law.travel());
 }
 
 std::shared_ptr<const Motion> law_motion(const CamLaw& law, double first) {

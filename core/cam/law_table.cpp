@@ -37,14 +37,18 @@ void LawTable::read(std::size_t first, std::size_t rows, double* out) const {
     double t = begin_ * (cycle_duration_ / length_) + cycle_duration_ * share;
     // A break within rounding counts as reached, that at the end of a cycle, too.
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * (std::abs(t) + cycle_duration_);
+    double moved = 0;
     if (law_.periodic()) {
+      const double given = t;
       t = law_.begin() + std::fmod(t - law_.begin() + cycle_duration_, cycle_duration_);
       if (t + rounding >= law_.breaks().back()) t = law_.begin();
+      moved = law_.travel() * std::round((given - t) / cycle_duration_);
     }
     law_.evaluate(t + rounding, 0, hint);
     const bool end = k == steps_ && !law_.periodic();
     const double x = end ? 1 : (t - law_.breaks()[hint]) / law_.piece_duration(hint);
     for (int r = 0; r < 4; ++r) out[1 + r] = law_.in_piece(end ? law_.pieces() - 1 : hint, x < 1e-13 ? 0 : x, r);
+    out[1] += moved;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "core/cam/problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bahnwerk::cam {
 
@@ -21,7 +22,17 @@ double MotionLawProblem::points_stroke() const {
     highest = std::max(highest, point.value(0).min);
     lowest = std::min(lowest, point.value(0).max);
   }
-  return std::max(0.0, highest - lowest);
+  if (travel != 0) {
+    highest = std::max(highest, points.front().value(0).min + travel);
+    lowest = std::min(lowest, points.front().value(0).max + travel);
+  }
+  return std::max(std::abs(travel), highest - lowest);
+}
+
+Range MotionLawProblem::end_position(std::size_t section) const {
+  const Range at_point = points[end_point(section)].value(0);
+  const double more = travel_at_end(section);
+  return {at_point.min + more, at_point.max + more};
 }
 
 std::vector<double> section_times(const MotionLawProblem& problem, const std::vector<double>& at) {

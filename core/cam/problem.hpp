@@ -70,6 +70,7 @@ struct MotionLawProblem {
   double length = 360;                   ///< length of one cycle, master's unit, > 0
   std::optional<double> cycle_duration;  ///< s, > 0; none: as short as `drive` allows
   bool periodic = false;
+  double travel = 0;                ///< of a periodic law: position at the cycle's end less that at its begin
   std::vector<MotionPoint> points;  ///< ascending; an open law's first and last are fixed and `length` apart
   LawObjective objective;
   LawMethod method = LawMethod::active_set;
@@ -82,14 +83,19 @@ struct MotionLawProblem {
   std::size_t sections() const { return periodic ? points.size() : points.size() - 1; }
   /// Returns the point at which section i ends.
   std::size_t end_point(std::size_t section) const { return section + 1 < points.size() ? section + 1 : 0; }
+  /// Returns what the position at the end of a section is more than that at the point where it ends: the travel in the
+  /// last section of a periodic law.
+  double travel_at_end(std::size_t section) const { return periodic && end_point(section) <= section ? travel : 0; }
+  /// Returns the position that the point at a section's end asks for there.
+  Range end_position(std::size_t section) const;
   /// Returns the order up to which derivatives are the same on both sides of point i: the document's, or the highest
   /// order of a value or range there if that is larger. It has no meaning at the ends of an open law.
   int continuity(std::size_t point) const;
   bool has_free_angles() const;
   /// Returns the duration of a master's unit, s. It needs the cycle's duration.
   double seconds_per_unit() const { return *cycle_duration / length; }
-  /// Returns the stroke that the points force: the highest lower end of their position ranges less the lowest upper
-  /// end; 0 if that is negative.
+  /// Returns the stroke that the points force over one cycle: the highest lower end of their position ranges less the
+  /// lowest upper end, at least the travel; 0 if that is negative.
   double points_stroke() const;
 };
 

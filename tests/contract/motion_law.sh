@@ -40,6 +40,20 @@ request GET "/jobs/$id" -H 'Accept: text/html'
 ! grep -q 'layout=isg' "$work/body" || fail "a contour's page links no cam table"
 request GET "/v1/jobs/$id/setpoints?layout=isg"
 expect_problem schema-violation 422
+
+# A law that moves on in each cycle: its derivatives close, its position does not.
+for name in rotary_knife indexing_table; do
+  post "$examples/$name.json"
+  await succeeded 60
+  travel=$(jq .spec.travel "$examples/$name.json")
+  request GET "/v1/jobs/$id/result"
+  expect_json ".verification.passed and .details.master.travel == $travel"
+  request GET "/v1/jobs/$id/setpoints?layout=csv"
+  awk -F, -v travel="$travel" 'NR == 2 { s = $2; v = $3 } END { exit !($2 - s - travel < 1e-9 && s + travel - $2 < 1e-9 && $3 == v) }' \
+    "$work/body" || fail "$name: the last row is the first one, $travel farther"
+  request GET "/v1/jobs/$id/setpoints?layout=codesys_xyva"
+  grep -q "in each cycle the slave moves by $travel deg" "$work/body" || fail "$name: the table says the slave's period"
+done
 stop_server
 
 expect_same_bits_elsewhere "$work/job.json" "$work/other.json" "$work/one.json"

@@ -46,7 +46,8 @@ struct StoredLaw {
       ++number;
     }
     breaks.push_back(end);
-    const cam::CamLaw whole(std::move(breaks), std::move(pieces), master.at("periodic").get<bool>());
+    const cam::CamLaw whole(std::move(breaks), std::move(pieces), master.at("periodic").get<bool>(),
+                            master.value("travel", 0.0));
     law = cam::law_from(whole, cycle.begin * scale);
     unit = result.at("setpoints").at("columns").at(1).at("unit").get<std::string>();
   }
@@ -174,10 +175,14 @@ std::string lcamhdl_advanced(const ControllerTable& table) {
   return rows.take();
 }
 
-std::string codesys_xyva(const ControllerTable& table, const std::string& name, const std::string& error) {
+std::string codesys_xyva(const StoredLaw& stored, const ControllerTable& table, const std::string& name,
+                         const std::string& error) {
   const std::size_t n = table.points.size();
-  std::string out = "(* differs from the law by: " + error + " *)\nVAR_GLOBAL\n  " + name + "_A : ARRAY[0.." +
-                    std::to_string(n - 1) + "] OF SMC_CAMXYVA := [\n";
+  std::string out = "(* differs from the law by: " + error + " *)\n";
+  if (stored.law.travel() != 0)
+    out += "(* in each cycle the slave moves by " + text_of(stored.law.travel()) + " " + stored.unit +
+           ": its modulo period divides that, or SlaveAbsolute is FALSE *)\n";
+  out += "VAR_GLOBAL\n  " + name + "_A : ARRAY[0.." + std::to_string(n - 1) + "] OF SMC_CAMXYVA := [\n";
   for (std::size_t k = 0; k < n; ++k) {
     const TablePoint& p = table.points[k];
     out += "    (dX := " + text_of(p.master) + ", dY := " + text_of(p.position) + ", dV := " + text_of(p.velocity) +
@@ -264,7 +269,7 @@ ControllerFile controller_file(const json& result, ControllerLayout layout, std:
       csv(lcamhdl_advanced(table));
       break;
     case ControllerLayout::codesys_xyva:
-      file.text = codesys_xyva(table, inside, file.refit_error);
+      file.text = codesys_xyva(stored, table, inside, file.refit_error);
       file.extension = "st";
       break;
     case ControllerLayout::codesys_xy:

@@ -28,6 +28,7 @@ class Faults {
     for (std::size_t i = 0; i < problem_.points.size(); ++i) ranges(i);
     angles();
     degrees();
+    travel();
     objective();
     drive();
     vibration();
@@ -65,11 +66,12 @@ class Faults {
 
   /// A limit that the values at the section's own ends break.
   void meets_values(std::size_t section, int order, Range limit, const Place& place) {
-    for (const std::size_t end : {section, problem_.end_point(section)}) {
+    for (const bool at_end : {false, true}) {
+      const std::size_t end = at_end ? problem_.end_point(section) : section;
       const MotionPoint& p = problem_.points[end];
       // An order above the continuity may differ on the other side.
       if (order > problem_.continuity(end) && !p.value(order).fixed()) continue;
-      const Range value = p.value(order);
+      const Range value = at_end && order == 0 ? problem_.end_position(section) : p.value(order);
       if (value.empty() || (value.min <= limit.max && value.max >= limit.min)) continue;
       add(place, "cannot hold: point " + std::to_string(end) + " asks for a " + cam::order_name(order) +
                      (value.fixed() ? " of " + number(value.min)
@@ -123,6 +125,11 @@ class Faults {
       add({"points", std::to_string(s)}, why);
       add({"points", std::to_string(e)}, why);
     }
+  }
+
+  void travel() {
+    if (problem_.travel != 0 && !problem_.periodic)
+      add({"travel"}, "belongs to a periodic law: one that is not ends where its last point says");
   }
 
   void objective() {

@@ -59,6 +59,7 @@ MotionLawProblem problem(const json& spec) {
   if (!master["cycle_duration"].is_null()) out.cycle_duration = master["cycle_duration"].get<double>();
   if (const auto slave = spec.find("slave"); slave != spec.end()) out.slave_unit = slave->value("unit", "mm");
   out.periodic = spec["periodic"].get<bool>();
+  out.travel = spec.value("travel", 0.0);
   for (const json& p : spec["points"]) out.points.push_back(point(p));
   out.method = spec.value("method", "optimal") == "optimal" ? cam::LawMethod::optimal : cam::LawMethod::active_set;
   if (const auto degree = spec.find("degree"); degree != spec.end() && !degree->is_null())

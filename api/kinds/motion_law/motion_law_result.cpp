@@ -91,6 +91,8 @@ void note_overshoot(const LawPlan& plan, std::vector<std::string>& notes) {
   for (const cam::MotionPoint& p : plan.problem.points) {
     least = std::min(least, p.value(0).min), most = std::max(most, p.value(0).max);
   }
+  if (const cam::Range end = plan.problem.end_position(plan.problem.sections() - 1); plan.problem.travel != 0)
+    least = std::min(least, end.min), most = std::max(most, end.max);
   if (!std::isfinite(least) || !std::isfinite(most) || !(most > least)) return;
   const std::string unit = " " + plan.problem.slave_unit;
   for (std::size_t s = 0; s < plan.problem.sections(); ++s) {
@@ -146,7 +148,8 @@ KindReport report_law(const MotionLawRequest& request, const LawPlan& plan) {
                   {{"unit", plan.problem.master_unit},
                    {"begin", cam::table_begin(plan.problem)},
                    {"length", plan.problem.length},
-                   {"periodic", plan.problem.periodic}}},
+                   {"periodic", plan.problem.periodic},
+                   {"travel", plan.problem.travel}}},
                  {"sections", sections(plan)},
                  {"angles", solution.at},
                  {"peaks", {{"velocity", peak(plan, 1)}, {"acceleration", peak(plan, 2)}, {"jerk", peak(plan, 3)}}},

@@ -48,10 +48,11 @@ class Ends {
     SectionEnds ends;
     state(section, section, ends.from, faults);
     state(section, problem_.end_point(section), ends.to, faults);
+    ends.to[0] += problem_.travel_at_end(section);
     return ends;
   }
   double slope(std::size_t section) const {
-    return (problem_.points[problem_.end_point(section)].value(0).min - problem_.points[section].value(0).min) /
+    return (problem_.end_position(section).min - problem_.points[section].value(0).min) /
            (breaks_[section + 1] - breaks_[section]);
   }
 
@@ -170,7 +171,7 @@ std::vector<std::optional<GivenSection>> classical_sections(const MotionLawProbl
     for (const bool at_end : {false, true}) {
       const std::size_t p = at_end ? problem.end_point(s) : s;
       for (int r = 0; r < static_cast<int>(problem.points[p].values.size()); ++r) {
-        const Range range = problem.points[p].value(r);
+        const Range range = at_end && r == 0 ? problem.end_position(s) : problem.points[p].value(r);
         const double value = out[s]->end_value(at_end, r), slack = tolerance * scale_of(*out[s], r);
         if (value < range.min - slack || value > range.max + slack)
           faults.push_back({value_place(p, r),
@@ -181,7 +182,8 @@ std::vector<std::optional<GivenSection>> classical_sections(const MotionLawProbl
       const std::size_t next = s + 1 < n ? s + 1 : 0;
       if (!at_end || (s + 1 == n && !problem.periodic) || !out[next]) continue;
       for (int r = 0; r <= problem.continuity(p); ++r) {
-        const double jump = std::abs(out[s]->end_value(true, r) - out[next]->end_value(false, r));
+        const double more = r == 0 ? problem.travel_at_end(s) : 0;
+        const double jump = std::abs(out[s]->end_value(true, r) - out[next]->end_value(false, r) - more);
         if (jump <= tolerance * std::max(scale_of(*out[s], r), scale_of(*out[next], r))) continue;
         faults.push_back({{"points", std::to_string(p), "continuity"},
                           "the laws before and behind this point differ by " + std::to_string(jump) + " in " +

@@ -78,7 +78,7 @@ class CycleSearch {
     double out = 0;
     for (std::size_t s = 0; s < problem_.sections(); ++s) {
       const std::size_t e = problem_.end_point(s);
-      const Range from = problem_.points[s].value(0), to = problem_.points[e].value(0);
+      const Range from = problem_.points[s].value(0), to = problem_.end_position(s);
       const double stroke = std::max({from.min - to.max, to.min - from.max, 0.0});
       const double share =
           (problem_.points[e].at.max - problem_.points[s].at.min + (e <= s ? problem_.length : 0)) / problem_.length;

@@ -22,11 +22,12 @@ class Forced {
     for (std::size_t s = 0; s < task.sections(); ++s) {
       if (task.is_given(s)) continue;
       take(s, task.limits[s][0]);
-      take(end(s), task.limits[s][0]);
+      take(end(s), at_point(task.limits[s][0], s));
       const double cycle = task.periodic && end(s) <= s ? task.cycle : 0;
       length_.push_back({task.at[end(s)].min + cycle - task.at[s].max, task.at[end(s)].max + cycle - task.at[s].min});
       const Range velocity = task.limits[s][1];
-      moves_[s] = {least_move(velocity.min, length_.back()), -least_move(-velocity.max, length_.back())};
+      const double more = task.travel_at_end(s);  // moves are those of the position at the point
+      moves_[s] = {least_move(velocity.min, length_.back()) - more, -least_move(-velocity.max, length_.back()) - more};
     }
   }
 
@@ -52,6 +53,11 @@ class Forced {
 
  private:
   std::size_t end(std::size_t section) const { return task_.periodic ? task_.end_point(section) : section + 1; }
+  /// A range of the position at the end of a section, as one at the point where it ends.
+  Range at_point(const Range& range, std::size_t section) const {
+    const double more = task_.travel_at_end(section);
+    return {range.min - more, range.max - more};
+  }
   /// The least change of position at a velocity of at least `velocity` in a time within `length`.
   static double least_move(double velocity, const Range& length) {
     return velocity == 0 ? 0 : velocity * (velocity > 0 ? length.min : length.max);
@@ -63,15 +69,17 @@ class Forced {
     if (!(velocity.min >= 0 || velocity.max <= 0)) return;
     const Range limit = std::exchange(task_.limits[s][0], Range{});
     if (limit.free()) return;
-    for (const std::size_t point : {s, end(s)}) {
+    for (const bool at_end : {false, true}) {
+      const std::size_t point = at_end ? end(s) : s;
+      const Range here = at_end ? at_point(limit, s) : limit;
       const auto known = std::find_if(task_.conditions.begin(), task_.conditions.end(), [&](const auto& condition) {
         return condition.point == point && condition.order == 0;
       });
       if (known == task_.conditions.end()) {
-        task_.conditions.push_back({point, 0, limit});
+        task_.conditions.push_back({point, 0, here});
         continue;
       }
-      const Range both{std::max(known->range.min, limit.min), std::min(known->range.max, limit.max)};
+      const Range both{std::max(known->range.min, here.min), std::min(known->range.max, here.max)};
       if (both.empty())
         task_.limits[s][0] = limit;  // nothing keeps it: it stays, to be named
       else

@@ -43,7 +43,8 @@ void check_contradictions(const MotionLawProblem& problem, const MotionLawProble
         continue;
       }
       for (const std::size_t point : {section, problem.periodic ? problem.end_point(section) : section + 1}) {
-        const Range asked = problem.points[point].value(r);
+        const bool at_end = point != section || problem.sections() == 1;
+        const Range asked = at_end && r == 0 ? problem.end_position(section) : problem.points[point].value(r);
         const bool straight = given.points[section].law == ClassicalLaw::straight && r == 1 && limit.fixed();
         if (straight && (asked.min > limit.max || asked.max < limit.min))
           faults.push_back({{"points", std::to_string(section), "law"},

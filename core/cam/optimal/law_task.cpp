@@ -18,11 +18,13 @@ double middle_of(const Range& range) {
 
 /// Span of the positions that points name, or what their derivatives move in the time of a section.
 double position_unit(const MotionLawProblem& problem, double time) {
-  double low = std::numeric_limits<double>::infinity(), high = -low, other = 0;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
   const auto take = [&](const Range& range) {
     for (const double value : {range.min, range.max})
       if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
   };
+  take(problem.end_position(problem.sections() - 1));
+  double other = std::abs(problem.travel);
   for (const MotionPoint& point : problem.points) {
     take(point.value(0));
     double factor = 1;
@@ -96,7 +98,11 @@ void pin_values(LawTask& task) {
       const bool ends = task.periodic || point > 0;
       if (begins && ends && task.continuity[point] < r) continue;
       if (begins) take(task.limits[point][o]);
-      if (ends) take(task.limits[point > 0 ? point - 1 : task.sections() - 1][o]);
+      if (ends) {
+        const std::size_t before = point > 0 ? point - 1 : task.sections() - 1;
+        const double more = r == 0 ? task.travel_at_end(before) : 0;
+        take({task.limits[before][o].min - more, task.limits[before][o].max - more});
+      }
       if (!std::isfinite(allowed.min) || !(std::abs(allowed.max - allowed.min) <= 1e-12 * (1 + std::abs(allowed.min))))
         continue;
       if (known)
@@ -113,6 +119,7 @@ LawTask make_law_task(const MotionLawProblem& problem) {
   task.unit_time = *problem.cycle_duration / static_cast<double>(sections);
   task.cycle = static_cast<double>(sections);
   task.unit_position = position_unit(problem, task.unit_time);
+  task.travel = problem.periodic ? problem.travel / task.unit_position : 0;
   double low = std::numeric_limits<double>::infinity();
   for (const MotionPoint& point : problem.points)
     if (!point.value(0).free()) low = std::min(low, middle_of(point.value(0)));

@@ -29,6 +29,7 @@ struct LawTask {
 
   bool periodic = false;
   double cycle = 0;                                       ///< duration of a cycle
+  double travel = 0;                                      ///< what a periodic law's position grows by in a cycle
   std::vector<Range> at;                                  ///< time of each point, a number or a range
   std::vector<int> continuity;                            ///< order of continuity of each point
   std::vector<Condition> conditions;                      ///< values and ranges at points
@@ -52,6 +53,8 @@ struct LawTask {
   std::size_t points() const { return at.size(); }
   std::size_t sections() const { return limits.size(); }
   std::size_t end_point(std::size_t section) const { return section + 1 < points() ? section + 1 : 0; }
+  /// Returns what the position at the end of a section is more than that at the point where it ends.
+  double travel_at_end(std::size_t section) const { return periodic && end_point(section) <= section ? travel : 0; }
   /// Return the sections that end and begin at a point; none: there is no such section.
   std::size_t section_before(std::size_t point) const {
     return point > 0 ? point - 1 : periodic ? sections() - 1 : none;

@@ -32,7 +32,7 @@ std::string number(double value) {
 std::vector<double> straight_line(const MotionLawProblem& problem, const LawTask& task, std::size_t section,
                                   double begin, double length) {
   const double rise = *task.constant_velocity(section) * length * task.unit_position;
-  const Range from = problem.points[section].value(0), to = problem.points[problem.end_point(section)].value(0);
+  const Range from = problem.points[section].value(0), to = problem.end_position(section);
   if (from.fixed()) return {from.min, to.fixed() ? to.min : from.min + rise};
   const double start = to.fixed() ? to.min - rise : task.origin + task.unit_position * begin;
   return {start, to.fixed() ? to.min : start + rise};
@@ -71,7 +71,7 @@ CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const LawBas
     }
   }
   breaks.push_back(begin + task.unit_time * spline.breaks.back());
-  return CamLaw(std::move(breaks), std::move(pieces), task.periodic);
+  return CamLaw(std::move(breaks), std::move(pieces), problem.periodic, problem.travel);
 }
 
 /// Returns the law with all peaks and with J as the problem weighs them: the drive's program knows the limited ones.
@@ -89,9 +89,8 @@ SplineResult in_weights(const MotionLawProblem& problem, const LawTask& task, co
 void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vector<std::string>& notes) {
   const double stroke = problem.points_stroke();
   for (std::size_t section = 0; section < problem.sections(); ++section) {
-    const MotionPoint &from = problem.points[section],
-                      &to = problem.points[problem.periodic ? problem.end_point(section) : section + 1];
-    const Range a = from.value(0), b = to.value(0);
+    const MotionPoint& from = problem.points[section];
+    const Range a = from.value(0), b = problem.end_position(section);
     if (from.law || !from.section[0].free() || !std::isfinite(a.min + a.max + b.min + b.max)) continue;
     const double low = std::min(a.min, b.min), high = std::max(a.max, b.max);
     const LawExtremes extremes = law.section_extremes(0, section);

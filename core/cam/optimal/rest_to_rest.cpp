@@ -76,12 +76,12 @@ class Builder {
     const std::vector<double> times = section_times(timed, at);
     for (std::size_t s = 0; s < problem_.sections(); ++s) section(s, times[s], times[s + 1]);
     breaks_.push_back(times.back());
-    return {breaks_, pieces_, problem_.periodic};
+    return {breaks_, pieces_, problem_.periodic, problem_.travel};
   }
 
  private:
   void section(std::size_t s, double begin, double end) {
-    const double from = problem_.points[s].value(0).min, to = problem_.points[problem_.end_point(s)].value(0).min;
+    const double from = problem_.points[s].value(0).min, to = problem_.end_position(s).min;
     if (from == to) {
       breaks_.push_back(begin);
       pieces_.push_back({s, {from, to}});
@@ -164,7 +164,7 @@ std::optional<RestToRest> rest_to_rest(const MotionLawProblem& problem) {
   std::vector<Parts> parts(problem.sections());
   for (std::size_t s = 0; s < problem.sections(); ++s) {
     const std::size_t e = problem.end_point(s);
-    const double stroke = std::abs(problem.points[e].value(0).min - problem.points[s].value(0).min);
+    const double stroke = std::abs(problem.end_position(s).min - problem.points[s].value(0).min);
     if (stroke == 0) continue;
     const double angle = problem.points[e].at.min - problem.points[s].at.min + (e <= s ? problem.length : 0);
     const double least = shortest(stroke, *problem.drive).duration();

@@ -279,6 +279,7 @@ SplineTask spline_task(const MotionLawProblem& problem, const std::vector<double
   SplineTask task;
   task.breaks = section_times(problem, at);
   task.periodic = problem.periodic;
+  task.travel = problem.periodic ? problem.travel : 0;
   for (std::size_t p = 0; p < problem.points.size(); ++p) {
     task.continuity.push_back(problem.continuity(p));
     for (int r = 0; r < static_cast<int>(problem.points[p].values.size()); ++r)

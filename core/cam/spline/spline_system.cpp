@@ -37,7 +37,9 @@ std::vector<std::vector<ValueCondition>> conditions(const SplineTask& task) {
     if (given_before == given_behind) continue;
     if (!unknown(task, before) && !unknown(task, behind)) continue;
     const GivenSection& given = *task.given[given_before ? before : behind];
-    for (int r = 0; r <= task.continuity[p]; ++r) out[p].push_back({p, r, given.end_value(given_before, r)});
+    const double more = p == 0 && given_before ? task.travel : 0;
+    for (int r = 0; r <= task.continuity[p]; ++r)
+      out[p].push_back({p, r, given.end_value(given_before, r) - (r == 0 ? more : 0)});
   }
   for (const ValueCondition& value : task.values) {
     const auto [before, behind] = meeting(task, value.point);
@@ -134,18 +136,23 @@ class System {
       for (const ValueCondition& c : conditions_[p]) {
         const bool here = both ? to_left-- > 0 : unknown(task_, left);
         const std::size_t section = here ? left : right;
-        rows[section].push_back(
-            {{p, c.order, false}, {Part{section, here, 1}, Part{}}, 1, c.value - (c.order == 0 ? reference_ : 0)});
+        rows[section].push_back({{p, c.order, false},
+                                 {Part{section, here, 1}, Part{}},
+                                 1,
+                                 c.value - (c.order == 0 ? reference_ - (here ? travel_at(p) : 0) : 0)});
       }
       if (!both) continue;
       for (int r = 0; r <= task_.continuity[p]; ++r)
         rows[to_left-- > 0 ? left : right].push_back(
-            {{p, r, true}, {Part{left, true, 1}, Part{right, false, -1}}, 2, 0});
+            {{p, r, true}, {Part{left, true, 1}, Part{right, false, -1}}, 2, r == 0 ? travel_at(p) : 0});
     }
     for (const std::size_t s : order())
       for (const Row& row : rows[s]) add(row);
     if (names_.size() != size_) throw std::logic_error("a spline's system is not square");
   }
+
+  /// Returns what the section that ends at a point is higher there than the one that begins.
+  double travel_at(std::size_t point) const { return point == 0 && task_.periodic ? task_.travel : 0; }
 
   void add(const Row& row) {
     // (n!/(n − r)!) / T^r Σ (−1)^(r−k) C(r, k) b_k, at the end with the last coefficients.
@@ -289,7 +296,7 @@ CamLaw assemble_law(const SplineTask& task, const SolvedSpline& solved) {
       breaks.push_back(task.breaks[s + 1]);
     }
   }
-  return {std::move(breaks), std::move(pieces), task.periodic};
+  return {std::move(breaks), std::move(pieces), task.periodic, task.travel};
 }
 
 }  // namespace bahnwerk::cam

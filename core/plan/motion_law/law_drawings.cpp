@@ -124,14 +124,15 @@ class LawPanel {
       double before = 0;
       for (int k = 0; k <= n; ++k) {
         const double u = static_cast<double>(k) / n;
-        double at = (law.breaks()[i] + u * law.piece_duration(i)) * angle;
+        double at = (law.breaks()[i] + u * law.piece_duration(i)) * angle, moved = 0;
+        const double travel = order_ == 0 ? law.travel() : 0;
         if (law.periodic()) {
-          while (at < first_ - 1e-9 * plan_.problem.length) at += plan_.problem.length;
-          while (at > first_ + plan_.problem.length * (1 + 1e-9)) at -= plan_.problem.length;
+          while (at < first_ - 1e-9 * plan_.problem.length) at += plan_.problem.length, moved -= travel;
+          while (at > first_ + plan_.problem.length * (1 + 1e-9)) at -= plan_.problem.length, moved += travel;
         }
         if (pen && at < before) pen = false;
         before = at;
-        d += (pen ? "L" : "M") + px(x(at)) + " " + px(y(law.in_piece(i, u, order_)));
+        d += (pen ? "L" : "M") + px(x(at)) + " " + px(y(moved + law.in_piece(i, u, order_)));
         pen = true;
       }
     }

@@ -51,7 +51,7 @@ cam::CamLaw classical_law(const cam::MotionLawProblem& problem, const cam::LawSo
     }
   }
   breaks.push_back(times.back());
-  return {std::move(breaks), std::move(pieces), problem.periodic};
+  return {std::move(breaks), std::move(pieces), problem.periodic, problem.travel};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ double mean_velocity_bound(const cam::MotionLawProblem& problem) {
   double most = 0;
   for (std::size_t s = 0; s < problem.sections(); ++s) {
     const std::size_t e = problem.end_point(s);
-    const cam::Range from = problem.points[s].value(0), to = problem.points[e].value(0);
+    const cam::Range from = problem.points[s].value(0), to = problem.end_position(s);
     const double way = std::max({from.min - to.max, to.min - from.max, 0.0});
     const double angle = problem.points[e].at.max - problem.points[s].at.min + (e <= s ? problem.length : 0);
     most = std::max(most, way / (angle * scale));

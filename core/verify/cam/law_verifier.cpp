@@ -141,6 +141,11 @@ class Verifier {
     return point < sections_count() ? first_piece_[point] - 1 : law_.bernstein.size() - 1;
   }
 
+  /// What the end of the cycle is higher than its begin: the law comes to point 0 from there.
+  double more_before(std::size_t point, int order) const {
+    return point == 0 && order == 0 && problem_.periodic ? problem_.travel : 0;
+  }
+
   void points() {
     std::vector<Worst> values(22), jumps(22);
     for (std::size_t p = 0; p < problem_.points.size(); ++p) {
@@ -154,7 +159,7 @@ class Verifier {
         for (const std::size_t piece : {before, behind}) {
           if (piece == none) continue;
           const auto c = derived(piece, r);
-          const double value = piece == before ? c.back() : c.front();
+          const double value = (piece == before ? c.back() : c.front()) - (piece == before ? more_before(p, r) : 0);
           values[static_cast<std::size_t>(r)].take(std::max({range.min - value, value - range.max, 0.0}),
                                                    allowed(piece, r), t);
         }
@@ -165,8 +170,8 @@ class Verifier {
         if (!point.values[static_cast<std::size_t>(r)].free()) highest = std::max(highest, r);
       for (int r = 0; r <= highest; ++r)
         jumps[static_cast<std::size_t>(std::min(r, 21))].take(
-            std::abs(derived(before, r).back() - derived(behind, r).front()), allowed(before, r) + allowed(behind, r),
-            t);
+            std::abs(derived(before, r).back() - more_before(p, r) - derived(behind, r).front()),
+            allowed(before, r) + allowed(behind, r), t);
     }
     // Pieces inside a section join up to the order that makes J finite: acceleration, or velocity for laws whose
     // acceleration jumps.
@@ -241,28 +246,34 @@ class Verifier {
     std::size_t piece = 0;
     for_each_row(
         table,
-        [&](std::size_t k, const double* row) {
+        [&](std::size_t k, const double* given) {
           const double share = static_cast<double>(k) / n;
-          columns[0].take(std::abs(row[0] - (first + problem_.length * share)),
+          columns[0].take(std::abs(given[0] - (first + problem_.length * share)),
                           1e-12 * (std::abs(first) + problem_.length), share * law_.cycle_duration);
           double t = first * law_.cycle_duration / problem_.length + share * law_.cycle_duration;
           const double same = moment(t);
-          while (problem_.periodic && t < law_.breaks.front() - same) t += law_.cycle_duration;
-          while (problem_.periodic && t >= law_.breaks.back() - same) t -= law_.cycle_duration;
+          double moved = 0;
+          while (problem_.periodic && t < law_.breaks.front() - same)
+            t += law_.cycle_duration, moved -= problem_.travel;
+          while (problem_.periodic && t >= law_.breaks.back() - same)
+            t -= law_.cycle_duration, moved += problem_.travel;
+          const double row[] = {given[0], given[1] - moved, given[2], given[3], given[4]};
           while (piece > 0 && t < law_.breaks[piece]) --piece;
           while (piece + 1 < law_.bernstein.size() && t >= law_.breaks[piece + 1]) ++piece;
           // A row at a break may show either side.
           double distance[4], off[4];
           compare(piece, t, row, distance, off);
-          const auto other = [&](std::size_t neighbour, double at) {
+          const auto other = [&](std::size_t neighbour, double at, double more = 0) {
             double there[4], off_there[4];
-            compare(neighbour, at, row, there, off_there);
+            const double same_place[] = {row[0], row[1] + more, row[2], row[3], row[4]};
+            compare(neighbour, at, same_place, there, off_there);
             for (int r = 0; r < 4; ++r)
               if (there[r] / off_there[r] < distance[r] / off[r]) distance[r] = there[r], off[r] = off_there[r];
           };
           const bool at_begin = t - law_.breaks[piece] < same, at_end = law_.breaks[piece + 1] - t < same;
           if (at_begin && piece > 0) other(piece - 1, law_.breaks[piece]);
-          if (at_begin && piece == 0 && problem_.periodic) other(law_.bernstein.size() - 1, law_.breaks.back());
+          if (at_begin && piece == 0 && problem_.periodic)
+            other(law_.bernstein.size() - 1, law_.breaks.back(), problem_.travel);
           if (at_end && piece + 1 < law_.bernstein.size()) other(piece + 1, law_.breaks[piece + 1]);
           for (int r = 0; r < 4; ++r) columns[1 + r].take(distance[r], off[r], t);
           for (int r = 0; r < cam::limited_orders && !at_begin && !at_end; ++r) {

@@ -83,7 +83,8 @@ void check_textbook_laws(const cam::MotionLawProblem& problem, const LawToVerify
     };
     const bool straight = *from.law == ClassicalLaw::straight;
     if (!straight && !(rests(first, false) && rests(last, true))) continue;
-    const double s0 = from.value(0).min, h = to.value(0).min - s0;
+    const double more = problem.periodic && s + 1 == problem.points.size() ? problem.travel : 0;
+    const double s0 = from.value(0).min, h = to.value(0).min + more - s0;
     const bool with_states = *from.law == ClassicalLaw::polynomial_345 || *from.law == ClassicalLaw::polynomial_4567;
     bool higher = false;
     for (const auto* point : {&from, &to})

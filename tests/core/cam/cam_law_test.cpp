@@ -77,5 +77,18 @@ TEST(CamLaw, RefusesBreaksThatDoNotAscend) {
   EXPECT_THROW(CamLaw({0, 1, 2}, {{0, {1}}}, false), std::invalid_argument);
 }
 
+TEST(CamLaw, APeriodicLawMovesOnByItsTravelInEachCycle) {
+  const CamLaw law({1, 3}, {{0, {5, 5, 5, 12, 12, 12}}}, true, 7);
+  for (const double t : {1.0, 1.3, 2.9}) {
+    EXPECT_NEAR(law.evaluate(t + 2, 0), law.evaluate(t, 0) + 7, 1e-12);
+    EXPECT_NEAR(law.evaluate(t - 4, 0), law.evaluate(t, 0) - 14, 1e-12);
+    EXPECT_NEAR(law.evaluate(t + 2, 1), law.evaluate(t, 1), 1e-9);
+  }
+  for (const double first : {0.2, 2.4, -3.1}) {
+    const CamLaw cut = law_from(law, first);
+    for (const double t : {0.0, 0.4, 1.1, 1.9}) EXPECT_NEAR(cut.evaluate(t, 0), law.evaluate(first + t, 0), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk::cam

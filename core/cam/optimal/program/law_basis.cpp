@@ -7,7 +7,7 @@
 namespace bahnwerk::cam {
 
 double published_rounding(const LawTask& task, int degree, double length, int order) {
-  double largest = std::abs(task.origin) / task.unit_position;
+  double largest = std::abs(task.origin) / task.unit_position + std::abs(task.travel);
   for (const LawTask::Condition& condition : task.conditions)
     for (const double end : {condition.range.min, condition.range.max})
       if (condition.order == 0 && std::isfinite(end))

@@ -22,8 +22,10 @@ double position_bound(const LawTask& task, double upper) {
   if (position < 0) return 0;
   const double t = task.cycle;
   if (task.weight[1] > 0) return position + upper / task.weight[1] * t;
-  if (task.periodic)
-    velocity = acceleration = 0;  // a periodic law is at rest somewhere, and has no acceleration somewhere
+  if (task.periodic) {  // such a law has its mean velocity somewhere, and no acceleration somewhere
+    velocity = std::abs(task.travel) / t;
+    acceleration = 0;
+  }
   if (velocity < 0) return 0;
   if (task.weight[2] > 0) return position + (velocity + upper / task.weight[2] * t) * t;
   if (acceleration < 0 || !(task.weight[3] > 0)) return 0;

@@ -25,7 +25,8 @@ SplineProgram::SplineProgram(const LawTask& task, const LawBasis& basis, const s
     if (!condition.range.fixed() || condition.order >= static_cast<int>(SectionBasis::states)) continue;
     const auto order = static_cast<std::size_t>(condition.order);
     const std::size_t before = task.section_before(condition.point), behind = task.section_behind(condition.point);
-    if (before != LawTask::none) end_values_[before][order] = condition.range.min;
+    if (before != LawTask::none)
+      end_values_[before][order] = condition.range.min + (order == 0 ? task.travel_at_end(before) : 0);
     if (behind != LawTask::none) begin_values_[behind][order] = condition.range.min;
   }
   time_border_.assign(task.points(), BorderedRow::none);

@@ -127,7 +127,7 @@ void SplineProgram::build_equalities() {
       terms.clear();
       times.clear();
       const double known = append(left, true, r, 1, true) + append(right, false, r, -1, true);
-      const double side = scaled(-known);
+      const double side = scaled((r == 0 ? task_.travel_at_end(left) : 0) - known);
       if (far)
         band_.add_far_equality(terms, side, times);
       else
@@ -146,7 +146,8 @@ void SplineProgram::build_equalities() {
       terms.clear();
       times.clear();
       const double known = append(section, end, condition.order, 1, end);
-      const double side = scaled(condition.range.min - known);
+      const double more = end && condition.order == 0 ? task_.travel_at_end(section) : 0;
+      const double side = scaled(condition.range.min + more - known);
       equality_condition_.resize(band_.equality_side().size(), BorderedRow::none);
       band_.add_equality(terms, side, times);
       equality_condition_.push_back(c);
@@ -221,9 +222,10 @@ void SplineProgram::find_contacts() {
         while (fixed(q) && fixed(q)->range.min == 0) ++q;
         if (fixed(q) || q > static_cast<int>(basis_.degree())) continue;
         const double back = end && (q - r) % 2 == 1 ? -1 : 1;
-        const double close = 1e-12 * (1 + std::abs(value->range.min));
-        if (value->range.min - limit.min <= close) contacts_.push_back({section, end, q, back});
-        if (limit.max - value->range.min <= close) contacts_.push_back({section, end, q, -back});
+        const double here = value->range.min + (end && r == 0 ? task_.travel_at_end(section) : 0);
+        const double close = 1e-12 * (1 + std::abs(here));
+        if (here - limit.min <= close) contacts_.push_back({section, end, q, back});
+        if (limit.max - here <= close) contacts_.push_back({section, end, q, -back});
       }
     }
 }

@@ -127,15 +127,15 @@ void RelaxationProgram::add_nodes() {
   }
   if (task_.periodic)
     for (int r = 0; r <= std::min(task_.continuity[0], 2); ++r)
-      equal(variable(0, r), variable(grid_.nodes.size() - 1, r), true);
+      equal(variable(0, r), variable(grid_.nodes.size() - 1, r), true, r == 0 ? -task_.travel / node_unit_[0] : 0);
 }
 
-void RelaxationProgram::equal(std::size_t a, std::size_t b, bool far) {
+void RelaxationProgram::equal(std::size_t a, std::size_t b, bool far, double more) {
   const std::pair<std::size_t, double> terms[] = {{a, 1}, {b, -1}};
   if (far)
-    band_.add_far_equality(terms, 0);
+    band_.add_far_equality(terms, more);
   else
-    band_.add_equality(terms, 0);
+    band_.add_equality(terms, more);
 }
 
 void RelaxationProgram::row(std::size_t first, std::span<const double> weights, Range range, int elastic,

@@ -36,7 +36,8 @@ class RelaxationProgram {
   void add_floors();
   void add_points();
   void add_cells();
-  void equal(std::size_t a, std::size_t b, bool far);
+  /// Makes variable a be b + more.
+  void equal(std::size_t a, std::size_t b, bool far, double more = 0);
   void row(std::size_t first, std::span<const double> weights, Range range, int elastic, double elastic_weight);
 
   const LawTask& task_;

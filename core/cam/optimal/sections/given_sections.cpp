@@ -112,7 +112,9 @@ void add_given_sections(const MotionLawProblem& problem, LawTask& task) {
     const bool exact =
         section_stretches(problem, known);  // whether the known section stretches with the angles of its ends
     for (int r = 0; r <= task.continuity[p]; ++r) {
-      const double value = (given[known]->end_value(given_before, r) - (r == 0 ? task.origin : 0)) * task.to_task(r);
+      const double more = r == 0 && given_before ? problem.travel_at_end(known) : 0;  // conditions are of the point
+      const double value =
+          (given[known]->end_value(given_before, r) - (r == 0 ? task.origin + more : 0)) * task.to_task(r);
       const double rounded = r > 0 && exact ? 0 : value;
       task.conditions.push_back({p, r, {rounded, rounded}, known});
     }

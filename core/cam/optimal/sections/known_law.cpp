@@ -12,6 +12,7 @@ KnownLaw::KnownLaw(const LawTask& task, const LawBasis& basis, const SplineResul
     : points_(task.points()),
       cycle_(task.cycle),
       periodic_(task.periodic),
+      travel_(task.travel),
       objective_(spline.objective),
       peaks_(spline.peaks) {
   for (std::size_t i = 0; i < points_.size(); ++i) points_[i] = {spline.breaks[i], spline.breaks[i]};
@@ -42,7 +43,7 @@ KnownLaw::KnownLaw(const LawTask& task, const LawBasis& basis, const SplineResul
 }
 
 KnownLaw::KnownLaw(const LawTask& task, const CamLaw& law, const std::vector<double>& at, double objective)
-    : cycle_(task.cycle), periodic_(task.periodic), objective_(objective), peaks_{} {
+    : cycle_(task.cycle), periodic_(task.periodic), travel_(task.travel), objective_(objective), peaks_{} {
   for (const double time : at) points_.push_back({time, time});
   for (int r = 1; r < limited_orders; ++r) peaks_[static_cast<std::size_t>(r)] = law.peak(r).value * task.to_task(r);
   for (std::size_t i = 0; i < law.pieces(); ++i) {
@@ -54,9 +55,10 @@ KnownLaw::KnownLaw(const LawTask& task, const CamLaw& law, const std::vector<dou
 }
 
 double KnownLaw::value(double t, int order, bool before) const {
+  double moved = 0;
   if (periodic_) {
-    if (t > pieces_.front().begin + cycle_ * (1 + 1e-12)) t -= cycle_;
-    if (t < pieces_.front().begin) t += cycle_;
+    if (t > pieces_.front().begin + cycle_ * (1 + 1e-12)) t -= cycle_, moved += travel_;
+    if (t < pieces_.front().begin) t += cycle_, moved -= travel_;
   }
   std::size_t i = 0;
   while (i + 1 < pieces_.size() &&
@@ -67,7 +69,8 @@ double KnownLaw::value(double t, int order, bool before) const {
     differentiate_bernstein(b);
     for (double& each : b) each /= pieces_[i].length;
   }
-  return evaluate_bernstein(b, std::clamp((t - pieces_[i].begin) / pieces_[i].length, 0.0, 1.0));
+  return evaluate_bernstein(b, std::clamp((t - pieces_[i].begin) / pieces_[i].length, 0.0, 1.0)) +
+         (order == 0 ? moved : 0);
 }
 
 }  // namespace bahnwerk::cam

@@ -29,6 +29,7 @@ class KnownLaw {
   std::vector<Range> points_;
   double cycle_;
   bool periodic_;
+  double travel_;
   double objective_;
   std::array<double, limited_orders> peaks_;
   std::vector<Piece> pieces_;

@@ -25,7 +25,7 @@ bool is_classical(const MotionLawProblem& problem, std::size_t section) {
 /// Returns why straight section `i` cannot be a limit of velocity; empty: it can.
 std::string obstacle(const MotionLawProblem& problem, std::size_t i) {
   const MotionPoint &from = problem.points[i], &to = problem.points[problem.end_point(i)];
-  const Range a = from.value(0), b = to.value(0);
+  const Range a = from.value(0), b = problem.end_position(i);
   if (!a.fixed() || !b.fixed())
     return "a straight section leads from one number to another: give the position of both of its points as a number, "
            "or take method active_set";
@@ -129,7 +129,7 @@ MotionLawProblem with_straight_sections(const MotionLawProblem& problem) {
       continue;
     }
     const std::size_t end = problem.end_point(i);
-    const double rise = problem.points[end].value(0).min - point.value(0).min;
+    const double rise = problem.end_position(i).min - point.value(0).min;
     const double angle = problem.points[end].at.min - point.at.min + (end <= i ? problem.length : 0);
     const double velocity = rise == 0 ? 0 : rise / (angle * problem.seconds_per_unit());
     const Range limit = point.section[1];

@@ -29,7 +29,7 @@ struct Plan {
   cam::CamLaw cam_law() const {
     std::vector<cam::LawPiece> pieces;
     for (std::size_t i = 0; i < law.bernstein.size(); ++i) pieces.push_back({law.sections[i], law.bernstein[i]});
-    return {law.breaks, pieces, problem.periodic};
+    return {law.breaks, pieces, problem.periodic, problem.travel};
   }
 };
 
@@ -90,6 +90,21 @@ TEST(LawVerifier, JumpsUpToTheContinuityOfAPointFail) {
   EXPECT_EQ(failed_after([](Plan& p) { p.problem.points[1].continuity = 5; }),
             (std::set<std::string>{"continuity jerk", "continuity derivative 5"}));
   EXPECT_TRUE(has(failed_after([](Plan& p) { p.law.bernstein[1][2] = 19.9; }), "continuity acceleration"));
+}
+
+TEST(LawVerifier, ACycleEndsItsTravelFartherThanItBegins) {
+  const auto onward = [](double travel) {
+    return failed_after([&](Plan& p) {
+      p.law.bernstein[1] = {20, 20, 20, 50, 50, 50};
+      p.law.objective = 56.25, p.law.peaks = {50, 56.25, 300 / std::sqrt(3.0), 1800};
+      p.problem.travel = travel;
+    });
+  };
+  EXPECT_EQ(onward(50), std::set<std::string>{});
+  for (const double wrong : {0.0, -50.0, 50 + 1e-6}) {
+    EXPECT_TRUE(has(onward(wrong), "value position"));
+    EXPECT_TRUE(has(onward(wrong), "continuity position"));
+  }
 }
 
 TEST(LawVerifier, LimitsOfSectionsHoldBetweenTheRowsToo) {
