@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/cam/bernstein.hpp"
+#include "core/numeric/gauss_legendre.hpp"
 
 namespace bahnwerk::cam {
 namespace {
@@ -84,6 +85,29 @@ LawPeak CamLaw::peak(int order, std::size_t piece) const {
   const bool high = found.high >= -found.low;
   const double at = std::max(0.0, high ? found.high_at : found.low_at);
   return {high ? found.high : -found.low, breaks_[piece] + at * piece_duration(piece), piece};
+}
+
+double CamLaw::mean_square(int order, std::size_t first, std::size_t end) const {
+  double sum = 0, whole = 0;
+  for (std::size_t i = first; i < end; ++i) {
+    const std::vector<double> b = derivative(i, order);
+    for (const auto& [place, weight] : gauss_legendre<21>()) {  // exact up to degree 41 of the square
+      const double value = bernstein_value(b, (1 + place) / 2);
+      sum += weight / 2 * piece_duration(i) * value * value;
+    }
+    whole += piece_duration(i);
+  }
+  return sum / whole;
+}
+
+double CamLaw::rms(int order) const { return std::sqrt(mean_square(order, 0, pieces_.size())); }
+
+double CamLaw::section_rms(int order, std::size_t section) const {
+  std::size_t first = 0;
+  while (pieces_[first].section < section) ++first;
+  std::size_t end = first;
+  while (end < pieces_.size() && pieces_[end].section == section) ++end;
+  return std::sqrt(mean_square(order, first, end));
 }
 
 LawPeak CamLaw::peak(int order) const {

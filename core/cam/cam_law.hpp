@@ -68,6 +68,10 @@ class CamLaw {
   /// and order.
   LawPeak peak(int order) const;
   LawPeak peak(int order, std::size_t piece) const;
+  /// Returns the root of the mean square of s^(order) over the law, unit/s^order: exact but for rounding.
+  double rms(int order) const;
+  /// Returns the root of the mean square over the pieces of one section.
+  double section_rms(int order, std::size_t section) const;
   /// Returns the true extremes of s^(order) over all pieces, or those of one section.
   LawExtremes extremes(int order) const;
   LawExtremes section_extremes(int order, std::size_t section) const;
@@ -75,6 +79,8 @@ class CamLaw {
  private:
   std::vector<double> breaks_;
   std::vector<LawPiece> pieces_;
+  /// Returns the mean square over pieces first … end − 1.
+  double mean_square(int order, std::size_t first, std::size_t end) const;
   bool periodic_ = false;
   double travel_ = 0;
 };

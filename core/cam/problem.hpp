@@ -48,6 +48,8 @@ struct LawObjective {
   std::array<double, limited_orders> weight{0, 1, 1, 0.1};
   /// Each peak counts as its coefficient peak · T^r / h, T the cycle's duration, h = points_stroke().
   bool normalised = false;
+  /// Order whose RMS value is least among the laws of least J, 2 or 3; 0: none is asked for. `optimal` alone.
+  int then_order = 0;
   /// Cost added for each sign change of velocity and of acceleration inside a section; `active_set` alone.
   double zero_crossing_penalty = 0;
 };

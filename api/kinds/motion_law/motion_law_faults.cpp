@@ -136,6 +136,10 @@ class Faults {
     const auto& weight = problem_.objective.weight;
     if (weight[1] == 0 && weight[2] == 0 && weight[3] == 0)
       add({"objective"}, "has no weight above 0: nothing makes one law better than another");
+    if (problem_.objective.then_order > 0 && problem_.method == cam::LawMethod::active_set)
+      add({"objective", "then"}, "needs method \"optimal\"");
+    if (problem_.objective.then_order > 0 && problem_.drive)
+      add({"objective", "then"}, "belongs to J, and with `drive` the law is made for the shortest cycle: leave it out");
     if (problem_.objective.normalised && problem_.points_stroke() == 0)
       add({"objective", "normalised"}, "needs a stroke: the positions of the points force none");
   }

@@ -69,6 +69,8 @@ MotionLawProblem problem(const json& spec) {
   out.objective.weight = {0, objective.value("velocity", 1.0), objective.value("acceleration", 1.0),
                           objective.value("jerk", 0.1)};
   out.objective.normalised = objective.value("normalised", false);
+  if (const auto then = objective.find("then"); then != objective.end())
+    out.objective.then_order = *then == "rms_acceleration" ? 2 : 3;
   out.objective.zero_crossing_penalty = objective.value("zero_crossing_penalty", 0.0);
   if (const auto drive = spec.find("drive"); drive != spec.end()) {
     cam::DriveLimits limits;

@@ -169,6 +169,8 @@ KindReport report_law(const MotionLawRequest& request, const LawPlan& plan) {
                  {"peak_velocity", solution.value.peaks[1].value},
                  {"peak_acceleration", solution.value.peaks[2].value},
                  {"peak_jerk", solution.value.peaks[3].value},
+                 {"rms_acceleration", solution.law.rms(2)},
+                 {"rms_jerk", solution.law.rms(3)},
                  {"cycle_duration", solution.cycle_duration},
                  {"stroke", positions.highest.value - positions.lowest.value},
                  {"degree", solution.law.max_degree()},

@@ -173,6 +173,12 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
   result.pieces = chosen.pieces;
   solution.notes = chosen.notes;
   const LawBasis basis(task, chosen.degree, chosen.pieces);
+  if (problem.objective.then_order > 0 && !shortest) {
+    const std::vector<double> times(chosen.spline.breaks.begin(),
+                                    chosen.spline.breaks.begin() + static_cast<std::ptrdiff_t>(task.points()));
+    chosen.spline = SplineProgram(task, basis, times).least_rms(problem.objective.then_order, chosen.spline, progress);
+    ++chosen.programs;
+  }
   const SplineResult& spline = chosen.spline;
   if (!direct) solution.law = to_law(problem, task, basis, spline);
   solution.cycle_duration = *problem.cycle_duration;
@@ -183,7 +189,7 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
   solution.value = evaluate_objective(problem, solution.law);
   if (candidate && !task.free_angles() && !shortest && has_degree(candidate->law, task, chosen.degree))
     if (const LawValue value = evaluate_objective(problem, candidate->law);
-        value.objective < solution.value.objective * (1 - 1e-12)) {
+        value.objective < solution.value.objective * (1 - (problem.objective.then_order > 0 ? 1e-8 : 1e-12))) {
       solution.law = candidate->law;
       solution.value = value;
     }

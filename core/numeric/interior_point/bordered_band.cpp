@@ -85,6 +85,19 @@ void BorderedBand::clear_rows() {
   prepared_ = false;
 }
 
+void BorderedBand::add_square(std::size_t first, std::span<const double> weights) {
+  squares_.push_back({first, weights.size(), square_weights_.size()});
+  square_weights_.insert(square_weights_.end(), weights.begin(), weights.end());
+  prepared_ = false;
+}
+
+void BorderedBand::add_quadratic(const std::vector<double>& x, std::vector<double>& out) const {
+  for (const Square& square : squares_) {
+    const double* const a = square_weights_.data() + square.weights;
+    add(out.data() + square.first, dot(a, x.data() + square.first, square.count), a, square.count);
+  }
+}
+
 const std::vector<double>& BorderedBand::cost() const {
   cost_.assign(position_.size() + border_cost_.size(), 0);
   std::copy(border_cost_.begin(), border_cost_.end(), cost_.begin() + static_cast<std::ptrdiff_t>(position_.size()));
@@ -153,6 +166,8 @@ void BorderedBand::prepare() {
   half_ = 1;
   for (const Row& row : rows_)
     if (row.count > 1) half_ = std::max(half_, position_[row.first + row.count - 1] - position_[row.first]);
+  for (const Square& square : squares_)
+    if (square.count > 1) half_ = std::max(half_, position_[square.first + square.count - 1] - position_[square.first]);
   for (const Equality& equality : equalities_) {
     if (equality.far) continue;
     for (std::size_t k = 0; k < equality.count; ++k) {
@@ -212,6 +227,12 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
         corner_[row.elastic * columns + term.border] += across * term.weight;
       }
     }
+  }
+  for (const Square& square : squares_) {
+    const double* const a = square_weights_.data() + square.weights;
+    const std::size_t* const at = position_.data() + square.first;
+    for (std::size_t i = 0; i < square.count; ++i)
+      for (std::size_t j = i; j < square.count; ++j) band(at[i], at[j]) += a[i] * a[j];
   }
   for (std::size_t i : position_) band(i, i) += primal_shift;
   for (std::size_t k = 0; k < shared; ++k) corner_[k * columns + k] += primal_shift;

@@ -1,6 +1,6 @@
 #pragma once
-/// Linear programs each of whose rows has a few neighbouring variables, and possibly some of a few variables that all
-/// rows share (the border).
+/// Linear and convex quadratic programs each of whose rows has a few neighbouring variables, and possibly some of a few
+/// variables that all rows share (the border).
 ///
 /// Variables and local equalities are ordered as they are added: the system of a step is a band over them with a border
 /// of shared variables and of far-reaching equalities. The band is factored by Gaussian elimination with partial
@@ -53,6 +53,8 @@ class BorderedBand final : public InteriorPointSystem {
   /// Adds a row, after all variables. Returns its number.
   std::size_t add_row(const BorderedRow& row);
   void clear_rows();
+  /// Adds ½ (aᵀx)² to the objective, a over neighbouring variables of the band from `first` on.
+  void add_square(std::size_t first, std::span<const double> weights);
 
   std::size_t band_variables() const { return position_.size(); }
   std::size_t borders() const { return border_cost_.size(); }
@@ -69,6 +71,7 @@ class BorderedBand final : public InteriorPointSystem {
   void multiply(const std::vector<double>& x, std::vector<double>& gx, std::vector<double>& ex) const override;
   void add_transposed(const std::vector<double>& z, const std::vector<double>& y,
                       std::vector<double>& out) const override;
+  void add_quadratic(const std::vector<double>& x, std::vector<double>& out) const override;
   bool factor(const std::vector<double>& weights) override;
   void solve(std::vector<double>& x, std::vector<double>& y) const override;
   /// Returns the weights of the last factor().
@@ -78,6 +81,9 @@ class BorderedBand final : public InteriorPointSystem {
   struct Row {
     std::size_t first, count, weights, borders, border_count, elastic, upper, lower;
     double elastic_weight;
+  };
+  struct Square {
+    std::size_t first, count, weights;
   };
   struct Equality {
     std::size_t terms, count, borders, border_count, slot;  // slot: in the band, or in the border if `far`
@@ -96,7 +102,8 @@ class BorderedBand final : public InteriorPointSystem {
   mutable std::vector<double> cost_;
   std::vector<Row> rows_;
   std::vector<Equality> equalities_;
-  std::vector<double> row_weights_;
+  std::vector<Square> squares_;
+  std::vector<double> row_weights_, square_weights_;
   std::vector<Term> row_borders_, equality_borders_;
   std::vector<std::pair<std::size_t, double>> equality_terms_;
   std::vector<double> weights_;

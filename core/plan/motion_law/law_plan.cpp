@@ -27,6 +27,7 @@ LawToVerify published(const LawPlan& plan) {
   out.objective = plan.solution.value.objective;
   for (const auto& peak : plan.solution.value.peaks) out.peaks.push_back(peak.value);
   out.bound = plan.lower;
+  for (int r = 0; r < cam::limited_orders; ++r) out.rms.push_back(law.rms(r));
   return out;
 }
 

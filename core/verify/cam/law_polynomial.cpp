@@ -41,6 +41,22 @@ std::vector<double> derivative_coefficients(const std::vector<double>& b, double
   return out;
 }
 
+double mean_square(const std::vector<double>& c) {
+  // B_i B_j = C(n, i) C(n, j) / C(2n, i + j) · B_{i + j, 2n}, whose integral is 1/(2n + 1).
+  const std::size_t n = c.size() - 1;
+  const auto binomials = [](std::size_t degree) {
+    std::vector<double> out{1};
+    for (std::size_t k = 0; k < degree; ++k)
+      out.push_back(out.back() * static_cast<double>(degree - k) / static_cast<double>(k + 1));
+    return out;
+  };
+  const std::vector<double> one = binomials(n), two = binomials(2 * n);
+  double sum = 0;
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t j = 0; j <= n; ++j) sum += one[i] * one[j] / two[i + j] * c[i] * c[j];
+  return std::max(0.0, sum) / static_cast<double>(2 * n + 1);
+}
+
 double derivative_rounding(const std::vector<double>& b, double duration, int order) {
   const auto [least, most] = std::minmax_element(b.begin(), b.end());
   const int n = static_cast<int>(b.size()) - 1;

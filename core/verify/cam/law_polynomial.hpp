@@ -14,6 +14,9 @@ std::vector<double> derivative_coefficients(const std::vector<double>& b, double
 /// 2^r n!/(n − r)!/T^r.
 double derivative_rounding(const std::vector<double>& b, double duration, int order);
 
+/// Returns ∫₀¹ (Σ c_k B_k(x))² dx from products of Bernstein polynomials: exact but for rounding.
+double mean_square(const std::vector<double>& c);
+
 struct EnclosedMaximum {
   double value = 0;  ///< upper bound of the maximum over [0, 1], at most `tolerance` above it
   double at = 0;

@@ -54,6 +54,7 @@ class Verifier {
     points();
     sections();
     peaks();
+    means();
     check_textbook_laws(problem_, law_, out_);
     check_still_points(problem_, law_, out_);
     rows(table);
@@ -233,6 +234,20 @@ class Verifier {
     }
     if (!(problem_.objective.zero_crossing_penalty > 0))
       add("objective", "", law_.objective * (1 + 1e-9) + slack, objective, 0);
+  }
+
+  /// The reported RMS values of acceleration and jerk.
+  void means() {
+    for (int r = 2; r < cam::limited_orders && !law_.rms.empty(); ++r) {
+      double sum = 0, off = 0;
+      for (std::size_t i = 0; i < law_.bernstein.size(); ++i) {
+        sum += duration(i) * mean_square(derived(i, r));
+        off = std::max(off, allowed(i, r));
+      }
+      const double rms = std::sqrt(sum / (law_.breaks.back() - law_.breaks.front()));
+      add(std::string("rms ") + derivative_name(r), unit(r), off, std::abs(rms - law_.rms[static_cast<std::size_t>(r)]),
+          0);
+    }
   }
 
   /// Rows against the law, evaluated by the binomial sum, and against the limits of their section.

@@ -24,6 +24,7 @@ struct LawToVerify {
   double objective = 0;                        ///< J as reported
   std::vector<double> peaks;                   ///< reported peaks by order
   std::optional<double> bound;                 ///< reported bound on J
+  std::vector<double> rms;                     ///< reported RMS values by order, empty or from 0 to 3
 };
 
 /// Checks, each the worst of its kind, `at` s:
@@ -33,6 +34,8 @@ struct LawToVerify {
 ///   section limit <derivative>  how far the law leaves the limits of a section, anywhere inside (enclosed)
 ///   drive <derivative>          peak against what the drive can do
 ///   peak <derivative>           enclosed peak beyond the reported one
+///   rms <derivative>            distance of the reported root of the mean square of acceleration and jerk from that
+///                               of the coefficients
 ///   objective                   J from the enclosed peaks beyond the reported one
 ///   classical law               distance from the textbook's formula, rest to rest, in parts of the stroke
 ///   residual vibration          what a mode has left where the law is to be still, in parts of the peak acceleration

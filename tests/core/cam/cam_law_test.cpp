@@ -77,6 +77,14 @@ TEST(CamLaw, RefusesBreaksThatDoNotAscend) {
   EXPECT_THROW(CamLaw({0, 1, 2}, {{0, {1}}}, false), std::invalid_argument);
 }
 
+TEST(CamLaw, RmsValuesOfTheRestToRestPolynomialAreThoseOfItsFormula) {
+  const CamLaw law({0, 2, 3}, {{0, {0, 0, 0, 12, 12, 12}}, {1, {12, 12}}}, false);
+  EXPECT_NEAR(law.section_rms(2, 0), 12 / 4.0 * std::sqrt(120.0 / 7), 1e-12);
+  EXPECT_NEAR(law.section_rms(3, 0), 12 / 8.0 * std::sqrt(720.0), 1e-12);
+  EXPECT_NEAR(law.rms(3), law.section_rms(3, 0) * std::sqrt(2.0 / 3), 1e-12);
+  EXPECT_EQ(law.section_rms(2, 1), 0);
+}
+
 TEST(CamLaw, APeriodicLawMovesOnByItsTravelInEachCycle) {
   const CamLaw law({1, 3}, {{0, {5, 5, 5, 12, 12, 12}}}, true, 7);
   for (const double t : {1.0, 1.3, 2.9}) {

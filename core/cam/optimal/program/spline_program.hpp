@@ -81,10 +81,15 @@ class SplineProgram {
   /// Finds the least violation of ranges and limits, with Farkas' multipliers. If it is next to nothing, a law exists.
   LawConflict find_conflict(Progress& progress);
   JointStep joint_step(const std::vector<LawSample>& samples, Progress& progress);
+  /// Finds the law with the least RMS value of s^(order) among those whose J is 1e-9 above that of `first` at most: a
+  /// convex quadratic program. Returns `first` itself where none with less is found. The program serves this alone.
+  SplineResult least_rms(int order, const SplineResult& first, Progress& progress);
   SplineResult solve(const SplineOptions& options, Progress& progress, const std::vector<LawSample>* samples = nullptr);
 
  private:
   void build_equalities();
+  void add_squares(int order);
+  double mean_square(int order) const;
   bool find_start();
   void add_rows();
   void initial_samples();
@@ -121,9 +126,10 @@ class SplineProgram {
   void add_time_terms(std::size_t section, const std::vector<double>& weights, int order, double factor,
                       std::vector<BorderedRow::Term>& out) const;
 
-  std::size_t give_ = BorderedRow::none;            // shared variable of find_conflict: what rows give way
-  std::vector<std::size_t> equality_condition_;     // condition of each equality, or none
-  std::vector<std::vector<std::size_t>> left_out_;  // by equality: sections whose begin's numbers were left out
+  double objective_limit_ = BorderedRow::unlimited;  // largest J of least_rms, in parts of unit_objective_
+  std::size_t give_ = BorderedRow::none;             // shared variable of find_conflict: what rows give way
+  std::vector<std::size_t> equality_condition_;      // condition of each equality, or none
+  std::vector<std::vector<std::size_t>> left_out_;   // by equality: sections whose begin's numbers were left out
   const LawTask& task_;
   const LawBasis& basis_;
   const JointReference* reference_;

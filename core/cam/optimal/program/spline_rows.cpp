@@ -325,6 +325,14 @@ void SplineProgram::add_rows() {
     }
     band_.add_row(row);
   }
+  if (objective_limit_ == BorderedRow::unlimited) return;
+  std::vector<BorderedRow::Term> terms;
+  for (std::size_t r = 1; r < limited_orders; ++r)
+    if (counted(static_cast<int>(r))) terms.push_back({peak_border_[r], task_.weight[r] * unit_[r] / unit_objective_});
+  BorderedRow row;
+  row.border = terms;
+  row.upper = objective_limit_;
+  band_.add_row(row);
 }
 
 }  // namespace bahnwerk::cam

@@ -80,5 +80,28 @@ TEST(BorderedBand, TransposedIsTheAdjoint) {
   EXPECT_NEAR(left, right, 1e-12 * (1 + std::abs(left)));
 }
 
+TEST(BorderedBand, SquaresAreTheObjectiveOfAQuadraticProgram) {
+  // ½ (x² + 4 y²) with x + y = 5 and x ≤ 3.5: x = 4 and y = 1 without the row.
+  for (const double most : {10.0, 3.5}) {
+    BorderedBand program;
+    program.add_variables(2);
+    const std::pair<std::size_t, double> sum[] = {{0, 1}, {1, 1}};
+    program.add_equality(sum, 5);
+    const double one[] = {1}, two[] = {2};
+    program.add_square(0, one);
+    program.add_square(1, two);
+    BorderedRow row;
+    row.weights = one;
+    row.upper = most;
+    program.add_row(row);
+    InteriorPoint point{{0, 0}, {0}, {1}, {1}};
+    InteriorPointOptions options;
+    options.common_step = true;
+    EXPECT_TRUE(solve_interior_point(program, point, options).converged);
+    EXPECT_NEAR(point.x[0], std::min(4.0, most), 1e-6);
+    EXPECT_NEAR(point.x[0] + point.x[1], 5, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -31,5 +31,14 @@ TEST(LawPolynomial, TheEnclosedMaximumIsNeverBelowSamples) {
   }
 }
 
+TEST(LawPolynomial, TheMeanSquareIsTheIntegral) {
+  const std::vector<double> c{1, -2, 0.5, 3};
+  double sum = 0;
+  constexpr int steps = 2000;
+  for (int k = 0; k < steps; ++k) sum += std::pow(bernstein_sum(c, (k + 0.5) / steps), 2) / steps;
+  EXPECT_NEAR(mean_square(c), sum, 1e-5);
+  EXPECT_NEAR(mean_square({0, 1}), 1.0 / 3, 1e-15);
+}
+
 }  // namespace
 }  // namespace bahnwerk::verify

@@ -19,7 +19,7 @@ using namespace cam::testing_problems;
 /// A law of two sections, rest to rest over 20 mm and back, in 2 s, with its table.
 struct Plan {
   cam::MotionLawProblem problem = cam::testing_problems::problem(2, true, {rest(0, 0), rest(1, 20)});
-  LawToVerify law{{0, 1, 2}, {0, 1}, {{0, 0, 0, 20, 20, 20}, {20, 20, 20, 0, 0, 0}}, {0, 1}, 2, 0, {}, {}};
+  LawToVerify law{{0, 1, 2}, {0, 1}, {{0, 0, 0, 20, 20, 20}, {20, 20, 20, 0, 0, 0}}, {0, 1}, 2, 0, {}, {}, {}};
   std::size_t steps = 50;
   Plan() {
     problem.objective.weight = {0, 1, 0, 0};
@@ -127,6 +127,16 @@ TEST(LawVerifier, PeaksAndObjectiveThatAreTooSmallFail) {
               p.problem.drive = cam::DriveLimits{38, 1, 2000};
             }),
             std::set<std::string>{"drive acceleration"});
+}
+
+TEST(LawVerifier, RmsValuesAreThoseOfTheCoefficients) {
+  const double a = 20 * std::sqrt(120.0 / 7), j = 20 * std::sqrt(720.0);  // of the polynomial 3-4-5 over 20 in 1 s
+  EXPECT_EQ(failed_after([&](Plan& p) { p.law.rms = {0, 0, a, j}; }), std::set<std::string>{});
+  EXPECT_EQ(failed_after([&](Plan& p) {
+              p.law.rms = {0, 0, a * (1 + 1e-6), j};
+            }),
+            std::set<std::string>{"rms acceleration"});
+  EXPECT_EQ(failed_after([&](Plan& p) { p.law.rms = {0, 0, a, j * (1 - 1e-6)}; }), std::set<std::string>{"rms jerk"});
 }
 
 TEST(LawVerifier, ChosenAnglesStayInTheirRanges) {
