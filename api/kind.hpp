@@ -20,8 +20,8 @@ struct ResultFiles {
   std::span<const std::string_view> layouts = {};  ///< names of the layouts; each belongs to one kind only
   /// Sentence for the API's description, such as "Header X-… says by how much the file differs."; may be empty.
   std::string_view about = {};
-  /// Returns the file of a result of this kind in one of `layouts`.
-  ResultFile (*make)(const nlohmann::json& result, std::string_view layout) = nullptr;
+  /// Returns the file of a result of this kind in one of `layouts`; `name` is the job's, may be empty.
+  ResultFile (*make)(const nlohmann::json& result, std::string_view layout, std::string_view name) = nullptr;
 };
 
 struct Kind {

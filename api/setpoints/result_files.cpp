@@ -39,9 +39,9 @@ std::string result_layouts_text() {
   return text;
 }
 
-ResultFile result_file(const nlohmann::json& result, std::string_view layout) {
+ResultFile result_file(const nlohmann::json& result, std::string_view layout, std::string_view name) {
   const Kind* const kind = find_kind(result.value("kind", ""));
-  if (kind && has_layout(*kind, layout)) return kind->files.make(result, layout);
+  if (kind && has_layout(*kind, layout)) return kind->files.make(result, layout, name);
   const Kind* const owner = kind_of_layout(layout);
   const std::string whose = owner ? "exists for jobs of kind " + std::string(owner->name) + " only" : "does not exist";
   throw Problem("schema-violation", "layout " + std::string(layout) + " " + whose, {{"/query/layout", whose}});

@@ -28,8 +28,8 @@ std::vector<std::string> result_layouts();
 /// Returns the layouts as the end of an error message: "; of kind motion_law also a, b or c". Empty if there are none.
 std::string result_layouts_text();
 
-/// Returns the file of a result document. Throws Problem (schema-violation, at /query/layout) if the result's kind does
-/// not have the layout.
-ResultFile result_file(const nlohmann::json& result, std::string_view layout);
+/// Returns the file of a result document; `name` is the job's, may be empty. Throws Problem (schema-violation, at
+/// /query/layout) if the result's kind does not have the layout.
+ResultFile result_file(const nlohmann::json& result, std::string_view layout, std::string_view name = {});
 
 }  // namespace bahnwerk::api

@@ -1,5 +1,6 @@
 #pragma once
 /// Positions and labels of ticks on the axes of charts.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -22,10 +23,15 @@ void for_each_tick(double low, double high, double by, At&& at) {
   for (int i = 0; i < 1000 && first + i <= high / by + 1e-9; ++i) at((first + i) * by);
 }
 
-/// Returns the text beside a tick.
-inline std::string tick_label(double value) {
+/// Returns the text beside a tick. Seven digits, or as many as let ticks that are `step` apart differ.
+inline std::string tick_label(double value, double step = 0) {
   char text[40];
-  std::snprintf(text, sizeof text, "%.7g", std::abs(value) < 1e-12 ? 0 : value);
+  int digits = 7;
+  if (step > 0) {
+    const double steps = std::abs(value) / step;
+    if (steps > 1e6) digits = std::min(16, 1 + static_cast<int>(std::ceil(std::log10(steps))));
+  }
+  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(value) < 1e-12 ? 0 : value);
   return text;
 }
 

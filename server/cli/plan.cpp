@@ -148,7 +148,7 @@ int plan(const std::string& job, const std::string& out, const std::string& layo
       for (const Drives& each : files)
         setpoints.push_back({each.name.empty() ? "setpoints.csv" : "setpoints_" + each.name + ".csv",
                              csv(*planned.setpoints, row_layout, frame, each)});
-    if (kind_layout) file = api::result_file(nlohmann::json(planned.result), layout);
+    if (kind_layout) file = api::result_file(nlohmann::json(planned.result), layout, request.name.value_or(""));
   } catch (...) {
     return report_problem(api::problem_from_current_exception("/spec"));
   }

@@ -65,7 +65,7 @@ Response kind_file(Context& context, const Request& request, const std::string& 
     const auto document = context.store.result(id);
     if (!document) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
     const auto result = nlohmann::json::parse(*document);
-    api::ResultFile file = api::result_file(result, layout);
+    api::ResultFile file = api::result_file(result, layout, job.request.name.value_or(""));
     Response response = text_answer(200, file.content_type, std::move(file.text));
     if (!file.header.empty()) response.set(file.header, file.header_value);
     response.set("Content-Disposition", "attachment; filename=\"" + id + "-" + layout + "." + file.extension + "\"");

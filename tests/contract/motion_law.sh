@@ -52,6 +52,7 @@ for name in rotary_knife indexing_table; do
   awk -F, -v travel="$travel" 'NR == 2 { s = $2; v = $3 } END { exit !($2 - s - travel < 1e-9 && s + travel - $2 < 1e-9 && $3 == v) }' \
     "$work/body" || fail "$name: the last row is the first one, $travel farther"
   request GET "/v1/jobs/$id/setpoints?layout=codesys_xyva"
+  grep -q "^  $name : MC_CAM_REF" "$work/body" || fail "$name: the table bears the job's name"
   grep -q "in each cycle the slave moves by $travel deg" "$work/body" || fail "$name: the table says the slave's period"
 done
 stop_server

@@ -37,9 +37,27 @@ constexpr auto layout_names = [] {
   return names;
 }();
 
+/// Returns a job's name as one that every controller takes: letters and digits, underlines between them, a letter
+/// first; 24 characters at most.
+std::string table_name(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    const bool digit = c >= '0' && c <= '9', letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (out.empty() && digit) out = "cam_";
+    if (digit || letter)
+      out += c;
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+    if (out.size() == 24) break;
+  }
+  while (!out.empty() && out.back() == '_') out.pop_back();
+  return out.empty() ? "law" : out;
+}
+
 /// Returns a controller's cam table of a result.
-ResultFile cam_table(const nlohmann::json& result, std::string_view layout) {
-  ControllerFile table = controller_file(result, value_of<ControllerLayout>(layout, controller_layouts));
+ResultFile cam_table(const nlohmann::json& result, std::string_view layout, std::string_view name) {
+  ControllerFile table =
+      controller_file(result, value_of<ControllerLayout>(layout, controller_layouts), table_name(name));
   return {std::move(table.text),
           std::move(table.content_type),
           std::move(table.extension),

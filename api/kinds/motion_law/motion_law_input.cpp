@@ -40,7 +40,7 @@ MotionPoint point(const json& p) {
     if (const auto at = p.find(order_names[r]); at != p.end()) put(r, *at);
   if (const auto at = p.find("derivatives"); at != p.end())
     for (const auto& [order, value] : at->items()) put(std::stoi(order), value);
-  if (const auto at = p.find("section"); at != p.end())
+  if (const auto at = p.find("section"); at != p.end() && at->is_object())
     for (int r = 0; r < 4; ++r)
       if (const auto limit = at->find(order_names[r]); limit != at->end())
         out.section[static_cast<std::size_t>(r)] = range(*limit);
@@ -49,6 +49,46 @@ MotionPoint point(const json& p) {
   if (const auto at = p.find("inflection"); at != p.end()) out.inflection = at->get<double>();
   out.still = p.value("still", false);
   return out;
+}
+
+/// Replaces the words "dwell" and "monotone" by what they stand for; faults where a section is neither.
+std::vector<InputFault> expand_sections(const json& points, MotionLawProblem& problem) {
+  std::vector<InputFault> faults;
+  const auto value = [&](std::size_t p, std::size_t order) -> Range& {
+    auto& values = problem.points[p].values;
+    if (values.size() <= order) values.resize(order + 1);
+    return values[order];
+  };
+  for (std::size_t s = 0; s < problem.sections(); ++s) {
+    const auto section = points[s].find("section");
+    if (section == points[s].end() || !section->is_string()) continue;
+    const std::size_t end = problem.end_point(s);
+    const auto fault = [&](const char* text) { faults.push_back({{"points", std::to_string(s), "section"}, text}); };
+    if (*section == "dwell") {
+      const double more = problem.travel_at_end(s);
+      Range &from = value(s, 0), to = problem.end_position(s);
+      if (!from.fixed() && to.fixed()) from = to;
+      if (to.free()) value(end, 0) = to = {from.min - more, from.max - more};
+      if (!from.fixed() || problem.end_position(s).min != from.min || !problem.end_position(s).fixed()) {
+        fault("a dwell has one position: write it as a number in this point or the next one, or the same in both");
+        continue;
+      }
+      problem.points[s].law = cam::ClassicalLaw::straight;
+      for (const std::size_t p : {s, end})
+        for (const std::size_t order : {1u, 2u})
+          if (value(p, order).free()) value(p, order) = {0, 0};
+      continue;
+    }
+    const Range from = problem.points[s].value(0), to = problem.end_position(s);
+    if (to.min >= from.max)
+      problem.points[s].section[1].min = 0;
+    else if (to.max <= from.min)
+      problem.points[s].section[1].max = 0;
+    else
+      fault(
+          "a monotone section rises or falls, and the positions of its points allow both: write the limit of velocity");
+  }
+  return faults;
 }
 
 MotionLawProblem problem(const json& spec) {
@@ -108,7 +148,9 @@ MotionLawRequest request(const json& spec) {
   if (const auto at = spec.find("samples"); at != spec.end()) out.sampling.samples = at->get<std::size_t>();
   out.drawings = spec.value("drawings", true);
   note_what_has_no_effect(spec, out);
-  std::vector<InputFault> faults = problem_faults(out.problem);
+  std::vector<InputFault> faults = expand_sections(spec["points"], out.problem);
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  faults = problem_faults(out.problem);
   for (InputFault& fault : sampling_faults(out.problem, out.sampling)) faults.push_back(std::move(fault));
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   return out;

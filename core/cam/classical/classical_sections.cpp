@@ -114,6 +114,16 @@ GivenSection classical_section(ClassicalLaw law, std::optional<double> inflectio
     return {{begin, end}, {hermite(k, duration, ends)}};
   }
   const double lambda = inflection.value_or(0.5), h = ends.to[0] - ends.from[0];
+  if (const std::vector<HalfLawPiece> whole = whole_law(law); !whole.empty()) {
+    out.breaks.push_back(begin);
+    for (const HalfLawPiece& piece : whole) {
+      std::vector<double> b = piece.bernstein;
+      for (double& c : b) c = ends.from[0] + h * c;
+      out.bernstein.push_back(std::move(b));
+      out.breaks.push_back(&piece == &whole.back() ? end : begin + piece.end * duration);
+    }
+    return out;
+  }
   const std::vector<HalfLawPiece> half = half_law(law);
   const double cv = middle_velocity(half), v0 = ends.from[1], v1 = ends.to[1];
   const double vm = cv * h / duration - (cv - 1) * (lambda * v0 + (1 - lambda) * v1);
@@ -157,8 +167,10 @@ std::vector<std::optional<GivenSection>> classical_sections(const MotionLawProbl
   for (std::size_t s = 0; s < n; ++s) {
     const MotionPoint& point = problem.points[s];
     if (!point.law) continue;
-    if (*point.law == ClassicalLaw::straight && point.inflection)
-      faults.push_back({{"points", place_of(s), "inflection"}, "a straight line has none: leave it out"});
+    if (point.inflection && (*point.law == ClassicalLaw::straight || !whole_law(*point.law).empty()))
+      faults.push_back({{"points", place_of(s), "inflection"},
+                        *point.law == ClassicalLaw::straight ? "a straight line has none: leave it out"
+                                                             : "this law has its own: leave it out"});
     const std::size_t before = faults.size();
     const SectionEnds at = ends.of(s, faults);
     if (faults.size() == before) out[s] = classical_section(*point.law, point.inflection, breaks[s], breaks[s + 1], at);

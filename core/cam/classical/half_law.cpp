@@ -129,10 +129,20 @@ std::vector<HalfLawPiece> half_law(ClassicalLaw law) {
       return gutman(2);
     case ClassicalLaw::gutman_3:
       return gutman(3);
+    case ClassicalLaw::double_harmonic_from_dwell:
+    case ClassicalLaw::double_harmonic_to_dwell:
     case ClassicalLaw::straight:
       break;
   }
   throw std::logic_error("a law without halves");
+}
+
+std::vector<HalfLawPiece> whole_law(ClassicalLaw law) {
+  if (law == ClassicalLaw::double_harmonic_from_dwell)
+    return pieces({{1, 0.375, 0, 0, {{-0.5, pi, pi / 2}, {0.125, 2 * pi, pi / 2}}}});
+  if (law == ClassicalLaw::double_harmonic_to_dwell)
+    return pieces({{1, 0.625, 0, 0, {{-0.5, pi, pi / 2}, {-0.125, 2 * pi, pi / 2}}}});
+  return {};
 }
 
 double middle_velocity(const std::vector<HalfLawPiece>& half) {

@@ -21,4 +21,8 @@ std::vector<HalfLawPiece> half_law(ClassicalLaw law);
 /// time.
 double middle_velocity(const std::vector<HalfLawPiece>& half);
 
+/// Returns the pieces of a law that has no symmetric halves, over z = 0 … 1, at rest at both ends; empty for the
+/// others.
+std::vector<HalfLawPiece> whole_law(ClassicalLaw law);
+
 }  // namespace bahnwerk::cam

@@ -56,7 +56,7 @@ class LawPanel {
     std::string out = frame() + limits();
     if (const CamLaw* other = compared()) out += curve(*other, other_colour, 1.2, " stroke-dasharray=\"5 3\"");
     out += curve(plan_.solution.law, law_colour, 1.8, "");
-    return out + boxes();
+    return out + boxes() + peaks();
   }
 
   const CamLaw* compared() const {
@@ -102,7 +102,7 @@ class LawPanel {
       const bool zero = std::abs(value) < 1e-9 * (high_ - low_);
       out +=
           svg::segment({left, y(value)}, {left + width, y(value)}, zero ? "stroke=\"#aab1ba\"" : "stroke=\"#e6e9ed\"");
-      out += svg::text({left - 6, y(value) + 4}, drawing::tick_label(zero ? 0 : value),
+      out += svg::text({left - 6, y(value) + 4}, drawing::tick_label(zero ? 0 : value, up),
                        std::string(small) + " text-anchor=\"end\"");
     });
     out +=
@@ -138,6 +138,29 @@ class LawPanel {
     }
     return "<path" + svg::attribute("d", d) + " fill=\"none\"" + svg::attribute("stroke", colour) +
            svg::attribute("stroke-width", px(stroke)) + dashes + "/>\n";
+  }
+
+  /// The highest and the lowest value of a derivative, each a cross with its number.
+  std::string peaks() const {
+    std::string out;
+    if (order_ == 0) return out;
+    const auto extremes = plan_.solution.law.extremes(order_);
+    const double most = std::max(std::abs(extremes.lowest.value), std::abs(extremes.highest.value));
+    for (const cam::LawPeak& peak : {extremes.highest, extremes.lowest}) {
+      if (!(std::abs(peak.value) > 1e-3 * most)) continue;
+      double at = peak.at * plan_.problem.length / plan_.solution.law.duration();
+      while (at < first_ - 1e-9 * plan_.problem.length) at += plan_.problem.length;
+      while (at > first_ + plan_.problem.length * (1 + 1e-9)) at -= plan_.problem.length;
+      const double px = x(at), py = y(peak.value);
+      out += svg::segment({px - 4, py}, {px + 4, py}, std::string("stroke=\"") + law_colour + "\"") +
+             svg::segment({px, py - 4}, {px, py + 4}, std::string("stroke=\"") + law_colour + "\"");
+      char number[32];
+      std::snprintf(number, sizeof number, "%.4g", peak.value);
+      const bool right_half = px > left + width / 2;
+      out += svg::text({px + (right_half ? -6 : 6), peak.value >= extremes.highest.value ? py + 12 : py - 5}, number,
+                       std::string(small) + (right_half ? " text-anchor=\"end\"" : ""));
+    }
+    return out;
   }
 
   std::string limits() const {
@@ -182,11 +205,18 @@ class LawPanel {
 };
 
 std::string title(const LawPlan& plan) {
-  char text[160];
-  std::snprintf(text, sizeof text, "J %.6g, bound %.6g; degree %zu, %s", plan.solution.value.objective, plan.lower,
-                plan.solution.law.max_degree(),
-                plan.problem.method == cam::LawMethod::optimal ? "optimal" : "active_set");
-  return text;
+  char text[200];
+  const cam::MotionLawProblem& problem = plan.problem;
+  std::snprintf(text, sizeof text, "cycle %.6g s over %.6g %s", plan.solution.cycle_duration, problem.length,
+                problem.master_unit.c_str());
+  std::string out = text;
+  if (problem.travel != 0) {
+    std::snprintf(text, sizeof text, ", travel %.6g %s", problem.travel, problem.slave_unit.c_str());
+    out += text;
+  }
+  std::snprintf(text, sizeof text, "; J %.6g, bound %.6g; degree %zu, %s", plan.solution.value.objective, plan.lower,
+                plan.solution.law.max_degree(), problem.method == cam::LawMethod::optimal ? "optimal" : "active_set");
+  return out + text;
 }
 
 /// Names what the panels show, and nothing else.

@@ -46,6 +46,10 @@ double symmetric(ClassicalLaw law, double z) {
       return z - (a * std::sin(harmonic) + b * std::sin(3 * harmonic) / 3 + c * std::sin(5 * harmonic) / 5) /
                      (2 * pi * sum);
     }
+    case ClassicalLaw::double_harmonic_from_dwell:
+      return (1 - std::cos(pi * z)) / 2 - (1 - std::cos(harmonic)) / 8;
+    case ClassicalLaw::double_harmonic_to_dwell:
+      return 1 - symmetric(ClassicalLaw::double_harmonic_from_dwell, 1 - z);
     case ClassicalLaw::straight:
       return z;
   }

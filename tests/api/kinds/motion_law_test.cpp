@@ -23,6 +23,11 @@ PlannedJob planned(const json& spec) {
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/motion_law/" + name + ".json"));
 }
+/// Where a document with this spec has faults.
+std::vector<std::string> fault_pointers(const json& spec) {
+  const auto refused = test::refusal(json{{"kind", "motion_law"}, {"spec", spec}}.dump());
+  return refused ? test::pointers(*refused) : std::vector<std::string>{};
+}
 /// Two rests and a range between them; the range's lower end holds.
 json through_a_range() {
   return json::parse(R"({"master":{"length":130,"cycle_duration":130},"periodic":false,"method":"active_set","points":[
@@ -104,6 +109,52 @@ TEST(MotionLaw, WhatHasNoEffectIsNoted) {
 
 TEST(MotionLaw, TheSameDocumentGivesTheSameBits) {
   EXPECT_EQ(planned(example("free_angles")).result.dump(), planned(example("free_angles")).result.dump());
+}
+
+TEST(MotionLaw, ADwellAndAMonotoneSectionAreOneWordEach) {
+  const json words = json::parse(R"({"master":{"length":360,"cycle_duration":1},"periodic":true,"degree":6,"points":[
+    {"at":0,"position":0,"section":"monotone"},{"at":90,"position":30,"section":"dwell"},
+    {"at":140,"section":"monotone"},{"at":270,"position":0,"section":"dwell"}]})");
+  json written = words;
+  for (const int p : {0, 1, 2, 3}) {
+    json& point = written["points"][static_cast<std::size_t>(p)];
+    point.erase("section");
+    point["velocity"] = 0, point["acceleration"] = 0, point["position"] = p == 1 || p == 2 ? 30 : 0;
+    if (p % 2 == 1) point["law"] = "straight";
+  }
+  written["points"][0]["section"]["velocity"]["min"] = 0;
+  written["points"][2]["section"]["velocity"]["max"] = 0;
+  const json one = planned(words).result, other = planned(written).result;
+  EXPECT_EQ(one["details"]["sections"], other["details"]["sections"]);
+  EXPECT_TRUE(planned(words).verified);
+}
+
+TEST(MotionLaw, AWordThatFitsNoSectionIsNamed) {
+  json spec = json::parse(R"({"master":{"length":100,"cycle_duration":1},"periodic":false,"points":[
+    {"at":0,"position":0,"section":"dwell"},{"at":50,"position":{"min":-1,"max":20},"section":"monotone"},
+    {"at":100,"position":10}]})");
+  spec["points"][1]["position"] = 20;
+  EXPECT_EQ(fault_pointers(spec), std::vector<std::string>{"/spec/points/0/section"});
+  spec["points"][0].erase("section");
+  spec["points"][1]["position"] = json::parse(R"({"min":5,"max":20})");
+  EXPECT_EQ(fault_pointers(spec), std::vector<std::string>{"/spec/points/1/section"});
+}
+
+TEST(MotionLaw, TheTravelIsTheDifferenceOfTheLastRowAndTheFirstOne) {
+  const json spec = json::parse(R"({"master":{"length":360,"cycle_duration":1},"periodic":true,"travel":60,"points":[
+    {"at":20,"position":0},{"at":140,"position":{"min":30,"max":35}}]})");
+  const PlannedJob job = planned(spec);
+  ASSERT_TRUE(job.verified);
+  EXPECT_EQ(job.result["details"]["master"]["travel"], 60);
+  std::vector<double> first(5), last(5);
+  job.setpoints->read(0, 1, first.data());
+  job.setpoints->read(job.setpoints->count() - 1, 1, last.data());
+  EXPECT_NEAR(last[1] - first[1], 60, 1e-11);
+  for (const std::size_t column : {2u, 3u, 4u}) EXPECT_EQ(last[column], first[column]);
+  json open = spec;
+  open["periodic"] = false;
+  open["points"] = json::parse(R"([{"at":0,"position":0},{"at":360,"position":60}])");
+  EXPECT_EQ(fault_pointers(open), std::vector<std::string>{"/spec/travel"});
 }
 
 std::vector<std::string> lines(const std::string& text) {

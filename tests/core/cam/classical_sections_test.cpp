@@ -64,7 +64,7 @@ TEST(ClassicalSections, GutmansLawIsItsSeries) {
 TEST(ClassicalSections, PiecesOfALawJoinSmoothly) {
   for (const auto& entry : classical_laws)
     for (const double inflection : {0.5, 0.35}) {
-      if (entry.value == ClassicalLaw::straight) continue;
+      if (entry.value == ClassicalLaw::straight || !whole_law(entry.value).empty()) continue;
       const CamLaw law = unit_law(entry.value, inflection);
       const int order = entry.value == ClassicalLaw::quadratic ? 1 : 2;
       for (std::size_t i = 0; i + 1 < law.pieces(); ++i)
@@ -81,7 +81,7 @@ TEST(ClassicalSections, MotionToMotionKeepsTheVelocitiesAtItsEnds) {
   SectionEnds ends;
   ends.from[0] = 5, ends.from[1] = 10, ends.to[0] = 65, ends.to[1] = -20;
   for (const auto& entry : classical_laws) {
-    if (entry.value == ClassicalLaw::straight) continue;
+    if (entry.value == ClassicalLaw::straight || !whole_law(entry.value).empty()) continue;
     const CamLaw law = law_of(classical_section(entry.value, std::nullopt, 2, 5, ends));
     EXPECT_NEAR(law.evaluate(2, 0), 5, 1e-12) << entry.name;
     EXPECT_NEAR(law.evaluate(2, 1), 10, 1e-11) << entry.name;
@@ -128,6 +128,32 @@ TEST(ClassicalSections, LawsThatDoNotJoinAreNamed) {
   EXPECT_NO_THROW(classical_sections(p, {0, 10, 20}));
   p.points[1].values = {Range{4, 5}};
   EXPECT_THROW(classical_sections(p, {0, 10, 20}), InvalidInput);
+}
+
+TEST(ClassicalSections, TheDoubleHarmonicLeavesADwellAndEndsInAReversal) {
+  const CamLaw law = [] {
+    const auto made = [](ClassicalLaw each, double begin, double from, double to) {
+      SectionEnds ends;
+      ends.from[0] = from, ends.to[0] = to;
+      return classical_section(each, {}, begin, begin + 1, ends);
+    };
+    const GivenSection rise = made(ClassicalLaw::double_harmonic_from_dwell, 0, 0, 1),
+                       back = made(ClassicalLaw::double_harmonic_to_dwell, 1, 1, 0);
+    std::vector<double> breaks = rise.breaks;
+    breaks.insert(breaks.end(), back.breaks.begin() + 1, back.breaks.end());
+    std::vector<LawPiece> pieces;
+    for (const auto& b : rise.bernstein) pieces.push_back({0, b});
+    for (const auto& b : back.bernstein) pieces.push_back({1, b});
+    return CamLaw(breaks, pieces, true);
+  }();
+  EXPECT_NEAR(law.peak(1).value, pi * 3 * std::sqrt(3.0) / 8, 1e-9);  // Cv 2.04 [Norton]
+  EXPECT_NEAR(law.peak(2).value, pi * pi, 1e-9);                      // Ca 9.87
+  EXPECT_NEAR(law.evaluate(0, 2), 0, 1e-9);
+  for (const double t : {0.999999999, 1.000000001}) EXPECT_NEAR(law.evaluate(t, 2), -pi * pi, 1e-6);
+  for (double t = 0; t <= 1; t += 0.1) {
+    EXPECT_NEAR(law.evaluate(t, 0), (1 - std::cos(pi * t)) / 2 - (1 - std::cos(2 * pi * t)) / 8, 1e-13);
+    EXPECT_NEAR(law.evaluate(2 - t - 1e-12, 0), law.evaluate(t, 0), 1e-10);
+  }
 }
 
 }  // namespace

@@ -30,5 +30,11 @@ TEST(Ticks, LabelsAreShortAndZeroIsZero) {
   EXPECT_EQ(tick_label(-2500), "-2500");
 }
 
+TEST(Ticks, LabelsOfTicksFarFromZeroDiffer) {
+  EXPECT_EQ(tick_label(123456789.1, 0.1), "123456789.1");
+  EXPECT_NE(tick_label(1e9 + 0.01, 0.01), tick_label(1e9 + 0.02, 0.01));
+  EXPECT_EQ(tick_label(0.3, 0.1), "0.3");
+}
+
 }  // namespace
 }  // namespace bahnwerk::drawing

@@ -70,7 +70,8 @@ void check_limits(const LawTask& task, const MotionLawProblem& problem, std::siz
 bool section_stretches(const MotionLawProblem& problem, std::size_t section) {
   const MotionPoint& point = problem.points[section];
   if (!point.law || *point.law == ClassicalLaw::straight || *point.law == ClassicalLaw::quadratic ||
-      *point.law == ClassicalLaw::simple_harmonic)
+      *point.law == ClassicalLaw::simple_harmonic || *point.law == ClassicalLaw::double_harmonic_from_dwell ||
+      *point.law == ClassicalLaw::double_harmonic_to_dwell)
     return false;
   for (std::size_t r = 1; r < limited_orders; ++r)
     if (!point.section[r].free()) return false;

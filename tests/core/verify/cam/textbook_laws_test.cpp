@@ -7,6 +7,9 @@ namespace {
 
 TEST(TextbookLaws, BeginAndEndAtRestAndPassTheirInflection) {
   for (const auto& entry : cam::classical_laws) {
+    if (entry.value == cam::ClassicalLaw::double_harmonic_from_dwell ||
+        entry.value == cam::ClassicalLaw::double_harmonic_to_dwell)
+      continue;  // not symmetric
     for (const double inflection : {0.5, 0.3}) {
       EXPECT_NEAR(textbook_law(entry.value, 0, inflection), 0, 1e-15) << entry.name;
       EXPECT_NEAR(textbook_law(entry.value, 1, inflection), 1, 1e-15) << entry.name;
