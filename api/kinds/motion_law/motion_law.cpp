@@ -2,15 +2,20 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "api/kind_frame.hpp"
+#include "api/kinds/motion_law/cam_result.hpp"
 #include "api/kinds/motion_law/controller_layouts.hpp"
+#include "api/kinds/motion_law/load_result.hpp"
 #include "api/kinds/motion_law/motion_law_input.hpp"
 #include "api/kinds/motion_law/motion_law_result.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/infeasible_at.hpp"
 #include "core/cam/spline/active_set.hpp"
+#include "core/plan/motion_law/cam_drawing.hpp"
 #include "core/plan/motion_law/law_drawings.hpp"
 
 namespace bahnwerk::api::motion_law {
@@ -66,6 +71,23 @@ ResultFile cam_table(const nlohmann::json& result, std::string_view layout, std:
           table.refit_error};
 }
 
+/// The law, and what it moves.
+struct MotionLawPlan : LawPlan {
+  std::optional<CamPlan> cam;
+  std::optional<LoadPlan> load;
+};
+
+/// Sections that the drive limits name the drive where they exclude every law.
+LawPlan planned_law(const MotionLawRequest& asked, Progress& progress) {
+  try {
+    return plan_motion_law(asked.problem, asked.sampling, progress);
+  } catch (const InfeasibleAt& error) {
+    throw InfeasibleAt(error.what(), blamed_on_drive(error.faults, asked.drive));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(blamed_on_drive(error.faults, asked.drive));
+  }
+}
+
 struct MotionLawKind {
   static constexpr std::string_view name = "motion_law";
   static constexpr std::string_view title = "A motion law for a cam or servo drive";
@@ -85,13 +107,26 @@ struct MotionLawKind {
     cam::check_spline(asked.problem, at);
   }
 
-  static LawPlan plan(const MotionLawRequest& asked, Progress& progress) {
-    return plan_motion_law(asked.problem, asked.sampling, progress);
+  static MotionLawPlan plan(const MotionLawRequest& asked, Progress& progress) {
+    MotionLawPlan plan{planned_law(asked, progress), {}, {}};
+    if (asked.cam) plan.cam = plan_cam(*asked.cam, plan, progress);
+    if (asked.drive.given_cycle) check_drive(*asked.drive.given_cycle, plan);
+    if (asked.drive.load) plan.load = plan_load(*asked.drive.load, asked.drive.limits, plan, progress);
+    return plan;
   }
 
-  static KindReport report(const MotionLawRequest& asked, const LawPlan& plan, Progress&) {
+  static KindReport report(const MotionLawRequest& asked, const MotionLawPlan& plan, Progress&) {
     KindReport out = report_law(asked, plan);
-    if (asked.drawings) out.drawings = {{"law.svg", law_drawing(plan)}, {"spectrum.svg", spectrum_drawing(plan)}};
+    if (plan.cam) out.details["cam"] = cam_result(*plan.cam);
+    if (plan.load) {
+      out.details["load"] = load_result(*plan.load, plan);
+      out.summary["peak_load"] = plan.load->figures.peak(), out.summary["rms_load"] = plan.load->figures.rms;
+    }
+    if (asked.drawings) {
+      out.drawings = {{"law.svg", law_drawing(plan)}, {"spectrum.svg", spectrum_drawing(plan)}};
+      if (plan.cam) out.drawings["cam.svg"] = cam_drawing(*plan.cam), out.drawings["cam.dxf"] = cam_dxf(*plan.cam);
+      if (plan.load) out.drawings["load.svg"] = load_drawing(*plan.load, plan);
+    }
     out.setpoints = std::make_unique<SharedTable>(plan.table);
     return out;
   }

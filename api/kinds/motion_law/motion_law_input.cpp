@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "api/kinds/motion_law/cam_input.hpp"
 #include "api/kinds/motion_law/motion_law_faults.hpp"
 #include "core/base/errors.hpp"
 
@@ -150,8 +152,12 @@ MotionLawRequest request(const json& spec) {
   note_what_has_no_effect(spec, out);
   std::vector<InputFault> faults = expand_sections(spec["points"], out.problem);
   if (!faults.empty()) throw InvalidInput(std::move(faults));
+  std::vector<InputFault> drive_faults;
+  out.drive = read_drive(spec, out.problem, drive_faults, out.notes);
   faults = problem_faults(out.problem);
+  std::move(drive_faults.begin(), drive_faults.end(), std::back_inserter(faults));
   for (InputFault& fault : sampling_faults(out.problem, out.sampling)) faults.push_back(std::move(fault));
+  out.cam = cam_geometry(spec, out.problem, faults);
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   return out;
 }

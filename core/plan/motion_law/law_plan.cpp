@@ -12,7 +12,6 @@
 #include "core/verify/cam/law_verifier.hpp"
 
 namespace bahnwerk {
-namespace {
 
 LawToVerify published(const LawPlan& plan) {
   LawToVerify out;
@@ -30,6 +29,8 @@ LawToVerify published(const LawPlan& plan) {
   for (int r = 0; r < cam::limited_orders; ++r) out.rms.push_back(law.rms(r));
   return out;
 }
+
+namespace {
 
 /// Returns the law that a textbook takes: modified sines between the states of the law at its points, velocities kept.
 cam::CamLaw classical_law(const cam::MotionLawProblem& problem, const cam::LawSolution& solution) {

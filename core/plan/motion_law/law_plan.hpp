@@ -14,6 +14,7 @@
 namespace bahnwerk {
 
 class Progress;
+struct LawToVerify;
 
 /// Length of a step of the table.
 struct LawSampling {
@@ -34,6 +35,9 @@ struct LawPlan {
 
 /// Steps per cycle; 0: the cycle time does not divide the cycle.
 std::size_t table_steps(const LawSampling& sampling, double cycle_duration);
+
+/// Returns the law as it is published, for the verifiers.
+LawToVerify published(const LawPlan& plan);
 
 /// Throws InvalidInput and Infeasible as the methods do. Deterministic.
 LawPlan plan_motion_law(const cam::MotionLawProblem& problem, const LawSampling& sampling, Progress& progress);
