@@ -58,7 +58,7 @@ request GET /v1/kinds
 expect_equal "$(wc -c <"$work/body")" "$length" "HEAD's Content-Length"
 request OPTIONS /v1/jobs
 expect_status 204
-expect_header Allow "GET, HEAD, POST, OPTIONS"
+expect_header Allow "DELETE, GET, HEAD, POST, OPTIONS"
 request GET /healthz -H "X-Request-Id: $(head -c 200 /dev/zero | tr '\0' x)"
 [[ $(header X-Request-Id) =~ ^[0-9a-f]{32}$ ]] || fail "an unusable request id is replaced"
 # The log is JSON, line for line, whatever was sent.

@@ -60,7 +60,7 @@ expect_problem method-not-allowed 405
 expect_header Allow "GET, HEAD, OPTIONS"
 request PUT /v1/jobs
 expect_problem method-not-allowed 405
-expect_header Allow "GET, HEAD, POST, OPTIONS"
+expect_header Allow "DELETE, GET, HEAD, POST, OPTIONS"
 request GET /v1/jobs -H 'Accept: application/pdf'
 expect_problem not-acceptable 406
 request POST /v1/jobs -H 'Content-Type: text/plain' --data-binary "@$examples/line.json"

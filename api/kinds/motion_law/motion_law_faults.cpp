@@ -147,8 +147,6 @@ class Faults {
   void drive() {
     if (!problem_.cycle_duration && !problem_.drive)
       add({"master", "cycle_duration"}, "must be a number, or `drive` must say what the shortest cycle is limited by");
-    if (problem_.cycle_duration && problem_.drive)
-      add({"master", "cycle_duration"}, "must be null where `drive` is given: the cycle is then as short as it allows");
     if (problem_.drive && problem_.method == cam::LawMethod::active_set) add({"drive"}, "needs method \"optimal\"");
   }
 

@@ -124,8 +124,9 @@ SqliteConnection::SqliteConnection(const std::string& path, bool writer, int max
     state_ = std::make_unique<State>(path, flags);
     auto& database = state_->database;
     if (writer) {
-      // Taken by a new file alone: free pages are given back to the disk piece by piece; see expire().
-      database.exec("PRAGMA auto_vacuum = INCREMENTAL");
+      // A new file gives free pages back to the disk, piece by piece; see expire(). In an older one this would write.
+      const auto pages = database.execAndGet("PRAGMA page_count").getInt64();
+      if (pages == 0) database.exec("PRAGMA auto_vacuum = INCREMENTAL");
       SQLite::Statement wal(database, "PRAGMA journal_mode = WAL");
       wal.executeStep();
       if (wal.getColumn(0).getString() != "wal")

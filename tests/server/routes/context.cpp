@@ -69,8 +69,8 @@ TEST(Context, AJobThatHasEndedIsFinalAndItsTagIsItsRevision) {
   }
   job.revision = 42;
   EXPECT_EQ(job_etag(job), "\"42\"");
-  EXPECT_EQ(job_answer(202, job).header("ETag"), "\"42\"");
-  EXPECT_EQ(job_answer(202, job).status, 202);
+  EXPECT_EQ(job_answer(202, Request(), job).header("ETag"), "\"42\"");
+  EXPECT_EQ(job_answer(202, Request(), job).status, 202);
 }
 
 }  // namespace
