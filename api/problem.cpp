@@ -46,7 +46,8 @@ constexpr std::array<ProblemType, 37> catalogue{{
      "body to get the job "
      "that the key already created."},
     {"job-not-failed", 409, "The job has neither failed nor been cancelled",
-     "A job is planned once more by `retry` when it has failed or was cancelled. Wait for its end, or post the document "
+     "A job is planned once more by `retry` when it has failed or was cancelled. Wait for its end, or post the "
+     "document "
      "as a new job."},
     {"job-not-finished", 409, "The job has not ended yet",
      "A result and setpoints exist only once the job has succeeded, and a running job cannot be deleted. Wait for the "

@@ -1,6 +1,7 @@
 #include "core/cam_profile/follower_law.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <queue>
@@ -24,7 +25,7 @@ LawSeries<Disc> as_discs(const LawSeries<double>& y) {
 struct Part {
   std::size_t piece = 0;
   double begin = 0, width = 1;  // of the piece's local parameter
-  std::vector<double> derivative[orders];
+  std::array<std::vector<double>, orders> derivative;
   double upper = HUGE_VAL;
   bool operator<(const Part& other) const { return upper < other.upper; }
 };

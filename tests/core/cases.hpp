@@ -6,8 +6,8 @@
 
 namespace bahnwerk::testing {
 
-/// What BAHNWERK_TEST_CASES says, a factor on all random tests: 1 where it is not set, 5 for `./test all`, less where each
-/// case takes longer (a sanitizer).
+/// What BAHNWERK_TEST_CASES says, a factor on all random tests: 1 where it is not set, 5 for `./test all`, less where
+/// each case takes longer (a sanitizer).
 inline double case_factor() {
   const char* factor = std::getenv("BAHNWERK_TEST_CASES");
   return factor ? std::strtod(factor, nullptr) : 1;

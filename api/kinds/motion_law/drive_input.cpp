@@ -30,7 +30,7 @@ class Reader {
       if (motion && problem_.cycle_duration) at_given_cycle();
     }
     if (std::isfinite(out_.limits.peak) && out_.load) plan_for_peak();
-    return std::move(out_);
+    return out_;
   }
 
  private:

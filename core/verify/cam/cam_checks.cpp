@@ -45,8 +45,7 @@ class CamVerifier {
     const bool oscillates = g_.type == CamType::radial && g_.follower == FollowerType::oscillating;
     const double unit = oscillates ? pi / 180 : 1;
     double lowest = HUGE_VAL;
-    for (std::size_t i = 0; i < law.bernstein.size(); ++i) {
-      std::vector<double> down = law.bernstein[i];
+    for (std::vector<double> down : law.bernstein) {
       for (double& b : down) b = -b;
       lowest = std::min(lowest, -verify::enclosed_maximum(down, 1e-13 * largest(down)).value);
     }
