@@ -67,11 +67,9 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
         "(BAHNWERK_INSECURE_LISTEN=true)");
   hosts_ = allowed_hosts(options.listen, listener_->address(), options.allowed_hosts);
   hosts_.origins = options.cors_origins;
-  Retention retention = options.retention;
-  if (options.keep_bytes > 0) retention.bytes = static_cast<std::int64_t>(options.keep_bytes);
   store_ = open_store(
       options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); },
-      options.store_reserve, retention);
+      options.store_reserve, options.retention);
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   scans_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   health_ = std::make_unique<Pool>(health_threads);

@@ -22,8 +22,7 @@ struct ServiceOptions {
   std::string listen = "127.0.0.1:8080";
   std::string store = "sqlite:var/bahnwerk.db";
   std::size_t store_reserve = std::size_t{8} << 20;  ///< bytes of disk set aside, so that a full disk can be emptied
-  Retention retention;                               ///< of ended jobs; its bytes are those of keep_bytes
-  std::size_t keep_bytes = 0;                        ///< most bytes of the store; 0: no limit
+  Retention retention;                               ///< how long ended jobs are kept
   std::size_t max_memory = 0;                        ///< bytes of the whole process, set when it starts; 0: no limit
   int worker_nice = 10;  ///< difference of the planners' priority to that of the answering threads
   unsigned workers = 1;  ///< planner threads; 0 = accepts jobs without planning them

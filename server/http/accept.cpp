@@ -1,8 +1,9 @@
 #include "server/http/accept.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
+
+#include "server/http/uri.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -11,13 +12,6 @@ std::string_view trim(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
   return text;
-}
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
 }
 
 /// Removes the next part of `rest` up to `separator` and returns it.

@@ -47,13 +47,6 @@ std::size_t skip_blank_lines(beast::flat_buffer& buffer) {
 /// The error of a request for whose body the memory for all bodies has no room.
 const error_code no_room = make_error_code(boost::system::errc::not_enough_memory);
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
 }  // namespace
 
 /// A composed read would miss a cut that falls between two of its parts; this asks before every one.

@@ -11,7 +11,7 @@
 namespace bahnwerk::server {
 namespace urls = boost::urls;
 
-namespace {
+namespace {}  // namespace
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -19,8 +19,6 @@ std::string lower(std::string_view text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return out;
 }
-
-}  // namespace
 
 std::optional<std::string> host_of(std::string_view authority) {
   std::string_view host, port;

@@ -21,6 +21,7 @@ std::optional<Target> parse_target(
 /// Returns the host of HOST[:PORT] in lower case, an IPv6 address without brackets; nullopt: malformed, or none.
 std::optional<std::string> host_of(std::string_view authority);
 
+std::string lower(std::string_view text);             ///< returns the text with its ASCII letters in lower case
 std::string encode_component(std::string_view text);  ///< percent-encodes all but unreserved characters
 
 }  // namespace bahnwerk::server

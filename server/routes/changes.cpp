@@ -9,7 +9,7 @@
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
-#include "server/keys/key_ring.hpp"
+#include "server/routes/event_feed.hpp"
 #include "server/routes/watch.hpp"
 
 namespace bahnwerk::server {
@@ -110,55 +110,31 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
   std::atomic<Notifier::Token> token{0};
 };
 
-/// The state of one client's stream.
-class ChangesFeed final : public Feed, public std::enable_shared_from_this<ChangesFeed> {
+/// The changes of all jobs that the client may see.
+class ChangesFeed final : public EventFeed {
  public:
   ChangesFeed(Context& context, const Request& request, std::uint64_t since)
-      : context_(context), owner_(sees_only(request)), key_(request.key), since_(since) {}
-
-  void next(Ready ready) override {
-    ready_ = std::move(ready);
-    look_later();
-  }
-  void stop() override {
-    stopped_ = true;
-    context_.notifier.wake(token_);
-  }
+      : EventFeed(context, request.key), owner_(sees_only(request)), since_(since) {}
 
  private:
-  void look_later() {
-    context_.pool.post([self = shared_from_this()] { self->look(); });
-  }
-  void wait(std::string_view job, Clock::time_point until) {
-    token_ = context_.notifier.wait(std::string(job), until, [self = shared_from_this()] { self->look_later(); });
-    if (stopped_) context_.notifier.wake(token_);
-  }
-  void give(std::optional<std::string> piece) {
-    last_piece_ = context_.time.now();
-    std::exchange(ready_, nullptr)(std::move(piece));
-  }
-
-  void look() {
-    if (stopped_ || (key_ && key_->removed)) return give(std::nullopt);
-    std::string text = begun_ ? "" : "retry: 3000\n\n";
-    const auto now = context_.time.now();
-    if (begun_ && !context_.draining && now < last_piece_ + between_pieces)
+  void look() override {
+    std::string text(begun_ ? "" : first_piece);
+    if (begun_ && !context_.draining && context_.time.now() < last_piece_ + between_pieces)
       return wait("", last_piece_ + between_pieces);
     begun_ = true;
     try {
       const News found = news(context_.store, since_, most_at_once, owner_);
       if (found.changes.gap) text += "event: gap\ndata: {}\n\n";
-      for (const Changed& changed : found.changes.list)
-        text += "id: " + std::to_string(changed.sequence) + "\nevent: change\ndata: " + entry(changed).dump() + "\n\n";
+      for (const Changed& changed : found.changes.list) text += event_text("change", changed.sequence, entry(changed));
       since_ = found.next;
     } catch (...) {  // the store failed: the client's next request gets the answer
       return give(std::nullopt);
     }
     if (text.empty() && context_.draining) return give(std::nullopt);
-    if (text.empty() && now >= last_piece_ + context_.event_heartbeat) text = ": still here\n\n";
+    if (text.empty() && silent_too_long()) text = sign_of_life;
     if (!text.empty()) return give(std::move(text));
     wait(Notifier::any_job, last_piece_ + context_.event_heartbeat);
-    if (changed()) context_.notifier.wake(token_);  // between the query and the wait
+    if (changed()) look_now();  // between the query and the wait
   }
 
   bool changed() {
@@ -169,15 +145,9 @@ class ChangesFeed final : public Feed, public std::enable_shared_from_this<Chang
     }
   }
 
-  Context& context_;
   const std::optional<std::string> owner_;
-  const std::shared_ptr<const HeldKey> key_;  ///< the stream ends when it is removed
-  std::uint64_t since_;                       ///< the last change that the client has
+  std::uint64_t since_;  ///< the last change that the client has
   bool begun_ = false;
-  Clock::time_point last_piece_{};
-  Ready ready_;
-  std::atomic<bool> stopped_{false};
-  std::atomic<Notifier::Token> token_{0};
 };
 
 /// Reads a number of the query; throws Problem where it is none, or not within `most`.
@@ -199,11 +169,8 @@ std::optional<std::uint64_t> number(const Request& request, std::string_view nam
 std::optional<std::uint64_t> begin_after(const Request& request) {
   constexpr auto largest = std::uint64_t{std::numeric_limits<std::int64_t>::max()};
   const auto since = number(request, "since", 0, largest);
-  const std::string last = request.header("last-event-id").value_or("");
-  std::uint64_t id = 0;
-  const auto [end, error] = std::from_chars(last.data(), last.data() + last.size(), id);
-  const bool resumed = error == std::errc() && end == last.data() + last.size() && id <= largest;
-  return resumed ? std::optional(id) : since;
+  const auto last = last_event_id(request);
+  return last && *last <= largest ? last : since;
 }
 
 void begin(Context& context, const RequestPtr& request, const Reply& reply) {
@@ -213,14 +180,7 @@ void begin(Context& context, const RequestPtr& request, const Reply& reply) {
   const auto limit = number(*request, "limit", 1, most_at_once).value_or(most_at_once);
   const auto since = begin_after(*request);
   const std::uint64_t from = since ? *since : context.store.last_change();
-  if (*form == 1) {
-    Response response;
-    response.set("Cache-Control", "no-store");
-    response.set("Content-Type", "text/event-stream");
-    response.set("X-Accel-Buffering", "no");  // proxies hold answers back until they have a block
-    response.feed = std::make_shared<ChangesFeed>(context, *request, from);
-    return reply(std::move(response));
-  }
+  if (*form == 1) return reply(event_stream(std::make_shared<ChangesFeed>(context, *request, from)));
   if (const int wait = preferred_wait(*request); wait > 0)
     return std::make_shared<Waiting>(context, request, reply, from, limit, wait)->look();
   reply(answer(since ? news(context.store, from, limit, sees_only(*request)) : News{{}, from}));

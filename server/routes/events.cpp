@@ -1,73 +1,44 @@
 #include "server/routes/events.hpp"
 
 #include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
-#include "server/keys/key_ring.hpp"
+#include "server/routes/event_feed.hpp"
 #include "server/routes/watch.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
-using Clock = Notifier::Clock;
-
-std::string event(std::string_view name, std::uint64_t id, const nlohmann::ordered_json& data) {
-  return "id: " + std::to_string(id) + "\nevent: " + std::string(name) +
-         "\ndata: " + data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n\n";
-}
-
-/// The state of one client's stream. For the next piece it reads the job on the pool, and waits with the notifier when
-/// there is nothing new.
-class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> {
+/// The events of one job.
+class JobFeed final : public EventFeed {
  public:
   JobFeed(Context& context, std::string id, std::uint64_t known, const Request& request)
-      : context_(context), id_(std::move(id)), key_(request.key), prefix_(request.prefix), sent_(known) {}
-
-  void next(Ready ready) override {
-    ready_ = std::move(ready);
-    look_later();
-  }
-  void stop() override {
-    stopped_ = true;
-    context_.notifier.wake(token_);
-  }
+      : EventFeed(context, request.key), id_(std::move(id)), prefix_(request.prefix), sent_(known) {}
 
  private:
-  void look_later() {
-    context_.pool.post([self = shared_from_this()] { self->look(); });
-  }
-  void give(std::optional<std::string> piece) {
-    last_piece_ = context_.time.now();
-    std::exchange(ready_, nullptr)(std::move(piece));
-  }
-
-  void look() {
-    if (ended_ || stopped_ || (key_ && key_->removed)) return give(std::nullopt);
+  void look() override {
+    if (ended_) return give(std::nullopt);
     std::optional<api::Job> job;
     try {
       job = find_job(context_, id_);
     } catch (...) {  // the job was deleted meanwhile, or the store failed: the client's next request gets the answer
       return give(std::nullopt);
     }
-    std::string text = begun_ ? "" : "retry: 3000\n\n";
+    std::string text(begun_ ? "" : first_piece);
     begun_ = true;
     text += news(*job);
     ended_ = final(*job) || context_.draining;
-    if (text.empty() && !ended_ && context_.time.now() >= last_piece_ + context_.event_heartbeat)
-      text = ": still here\n\n";
+    if (text.empty() && !ended_ && silent_too_long()) text = sign_of_life;
     if (!text.empty()) return give(std::move(text));
     if (ended_) return give(std::nullopt);
     const auto progress_from = last_event_ + progress_interval;
     const bool progressed = job->revision > sent_;
     auto until = last_piece_ + context_.event_heartbeat;
     if (progressed) until = std::min(until, progress_from);
-    token_ = context_.notifier.wait(
-        id_, until, [self = shared_from_this()] { self->look_later(); }, progress_from);
-    // A change between the query and the wait would be missed.
-    if (stopped_ || revision() != job->revision) context_.notifier.wake(token_);
+    wait(id_, until, progress_from);
+    if (revision() != job->revision) look_now();  // between the query and the wait
   }
 
   /// Returns the job's current revision; 0, which is never one, if it cannot be read.
@@ -93,54 +64,37 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
       before.stage = before.message = "";
       before.finished_at = std::nullopt;
       before.error = std::nullopt;
-      text += event("state", job.revision - 1, job_resource(before, prefix_));
+      text += event_text("state", job.revision - 1, job_resource(before, prefix_));
     }
     const auto resource = job_resource(job, prefix_);
-    text += entered ? event("state", job.revision, resource) : event("progress", job.revision, resource["progress"]);
+    text += entered ? event_text("state", job.revision, resource)
+                    : event_text("progress", job.revision, resource["progress"]);
     if (job.state == api::JobState::queued) queued_ = job.revision;
     sent_ = job.revision;
     last_event_ = context_.time.now();
     return text;
   }
 
-  Context& context_;
-  const std::string id_;
-  const std::shared_ptr<const HeldKey> key_;  ///< the stream ends when it is removed
-  const std::string prefix_;
+  const std::string id_, prefix_;
   std::uint64_t sent_;        ///< the revision that the client has
   std::uint64_t queued_ = 1;  ///< the revision at which it saw the job in the queue; every job begins there with 1
   bool begun_ = false, ended_ = false;
-  Clock::time_point last_event_{}, last_piece_{};
-  Ready ready_;
-  std::atomic<bool> stopped_{false};
-  std::atomic<Notifier::Token> token_{0};
+  Clock::time_point last_event_{};
 };
-
-/// Returns the id of Last-Event-ID; 0: unknown.
-std::uint64_t last_event(const Request& request) {
-  const std::string text = request.header("last-event-id").value_or("");
-  std::uint64_t id = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  return error == std::errc() && end == text.data() + text.size() ? id : 0;
-}
 
 Response begin(Context& context, const Request& request) {
   static constexpr std::array<std::string_view, 1> offers{"text/event-stream"};
   if (!negotiate(request.header("accept"), offers))
     throw api::Problem("not-acceptable", "Events come as text/event-stream.");
   const api::Job job = find_job(context, request.parameter("id"));
-  std::uint64_t known = last_event(request);
-  Response response;
-  response.set("Cache-Control", "no-store");
+  std::uint64_t known = last_event_id(request).value_or(0);
   if (final(job) && known == job.revision) {
-    response.status = 204;
-    return response;
+    Response nothing_to_come;
+    nothing_to_come.status = 204;
+    return nothing_to_come.set("Cache-Control", "no-store");
   }
   if (known > job.revision) known = 0;  // the number is of another job, or made up
-  response.set("Content-Type", "text/event-stream");
-  response.set("X-Accel-Buffering", "no");  // proxies hold answers back until they have a block
-  response.feed = std::make_shared<JobFeed>(context, job.id, known, request);
-  return response;
+  return event_stream(std::make_shared<JobFeed>(context, job.id, known, request));
 }
 
 }  // namespace

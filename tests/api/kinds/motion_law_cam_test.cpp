@@ -142,7 +142,6 @@ TEST(MotionLawCam, AVelocityThatJumpsIsACorner) {
   for (json& point : spec["points"]) point.erase("law");
   for (json& point : spec["points"]) point["law"] = "straight", point["continuity"] = 0;
   const auto [places, message] = refusal(spec);
-  if (message.empty()) GTEST_SKIP() << "such a law is refused before";
   EXPECT_THAT(message, HasSubstr("corner"));
 }
 

@@ -59,5 +59,7 @@ TEST(EncodeComponent, ComesBack) {
   }
 }
 
+TEST(Uri, LowerChangesAsciiLettersAlone) { EXPECT_EQ(lower("GZIP;Q=0.5 \xC3\x84"), "gzip;q=0.5 \xC3\x84"); }
+
 }  // namespace
 }  // namespace bahnwerk::server
