@@ -72,7 +72,7 @@ struct MotionLawProblem {
   double length = 360;                   ///< length of one cycle, master's unit, > 0
   std::optional<double> cycle_duration;  ///< s, > 0; none: as short as `drive` allows
   bool periodic = false;
-  double travel = 0;                ///< of a periodic law: position at the cycle's end less that at its begin
+  double travel = 0;                ///< position at a periodic law's end less that at its begin
   std::vector<MotionPoint> points;  ///< ascending; an open law's first and last are fixed and `length` apart
   LawObjective objective;
   LawMethod method = LawMethod::active_set;

@@ -36,7 +36,7 @@ struct CamFigures {
 struct CamPlace {
   double at = 0;              ///< rad, angle of the cam
   double pressure_angle = 0;  ///< signed, rad
-  double curvature = 0;       ///< of the profile, 1/mm, positive where it is convex; of the groove's centre line
+  double curvature = 0;       ///< curvature of the profile (convex: positive) or of the groove's centre line, 1/mm
 };
 CamPlace cam_place(const CamGeometry& geometry, const FollowerLaw& law, double base_radius, std::size_t piece,
                    double x);

@@ -41,9 +41,9 @@ struct CamGeometry {
   /// Radius of the base circle, on which the profile touches the follower at the law's lowest position; of the cylinder
   /// for a barrel cam. None: the least one that keeps `pressure_angle` and `profile_radius`.
   std::optional<double> base_radius;
-  double roller_radius = 0;              ///< 0: a knife edge
-  double offset = 0;                     ///< of a translating follower's line from the cam's axis
-  double arm = 0, distance = 0;          ///< of an oscillating follower: its length, and its pivot from the cam's axis
+  double roller_radius = 0;      ///< 0: a knife edge
+  double offset = 0;             ///< distance of a translating follower's line from the cam's axis, mm
+  double arm = 0, distance = 0;  ///< length of an oscillating follower, distance of its pivot from the cam's axis, mm
   std::optional<double> pressure_angle;  ///< largest allowed |α|
   double profile_radius = 0;             ///< least allowed radius of curvature where the profile is convex
   double tolerance = 1e-3;               ///< largest distance of the published curve from the exact profile

@@ -29,7 +29,7 @@ struct LoadPoint {
   double effort = 0, speed = 0, power = 0;
 };
 struct LoadFigures {
-  CamExtreme most, least;              ///< of the force or torque, signed; proven
+  CamExtreme most, least;              ///< proven extremes of the force or torque, signed
   CamExtreme most_power, least_power;  ///< W; proven
   double rms = 0;                      ///< root of the mean square over the cycle
   double mean_power = 0;               ///< W

@@ -24,7 +24,7 @@ LawSeries<Disc> as_discs(const LawSeries<double>& y) {
 /// A part of a piece: Bernstein coefficients of all derivatives over it.
 struct Part {
   std::size_t piece = 0;
-  double begin = 0, width = 1;  // of the piece's local parameter
+  double begin = 0, width = 1;  // interval of the piece's local parameter
   std::array<std::vector<double>, orders> derivative;
   double upper = HUGE_VAL;
   bool operator<(const Part& other) const { return upper < other.upper; }

@@ -35,7 +35,7 @@ class FollowerLaw {
   LawSeries<double> at(std::size_t piece, double x) const;
   double stroke() const { return stroke_; }
   double lowest() const { return lowest_; }          ///< the law's lowest position, in its own unit
-  double angular_velocity() const { return rate_; }  ///< of the cam, rad/s
+  double angular_velocity() const { return rate_; }  ///< speed of the cam, rad/s
 
  private:
   struct Piece {

@@ -19,8 +19,8 @@ struct DriveLoad {
 
 /// Limits of the drive; infinite where there is none.
 struct LoadLimits {
-  double peak = std::numeric_limits<double>::infinity();  ///< of |force|, N, or |torque|, N m
-  double rms = std::numeric_limits<double>::infinity();   ///< of its root mean square over the cycle
+  double peak = std::numeric_limits<double>::infinity();  ///< largest |force|, N, or |torque|, N m
+  double rms = std::numeric_limits<double>::infinity();   ///< largest root mean square over the cycle
 };
 
 }  // namespace bahnwerk::cam

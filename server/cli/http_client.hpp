@@ -39,7 +39,7 @@ class HttpClient {
                     const std::function<void(std::string_view)>& sink) const;
   const Credentials credentials_;
   bool tls_ = false;
-  std::string socket_path_;  ///< of a Unix socket; empty: host and port
+  std::string socket_path_;  ///< path of a Unix socket; empty: host and port
   std::string url_, host_, port_, prefix_, authorization_;
 };
 

@@ -32,7 +32,7 @@ class KeyGate final : public Gate {
   Pool& pool_;
   const Login login_;
   mutable std::mutex mutex_;
-  mutable std::unordered_map<std::string, std::string> owners_;  ///< of jobs asked for last; none ever changes
+  mutable std::unordered_map<std::string, std::string> owners_;  ///< owners of jobs asked for last; none ever changes
 };
 
 /// Returns the name whose jobs the caller sees; nullopt: those of all.

@@ -93,10 +93,10 @@ Address split_address(const std::string& text) {
 struct Listener::State {
   asio::io_context io;
   asio::basic_socket_acceptor<asio::generic::stream_protocol> acceptor{asio::make_strand(io)};
-  std::string socket_path;  ///< of a Unix socket; empty: TCP
+  std::string socket_path;  ///< path of a Unix socket; empty: TCP
   TlsFiles tls_files;
   std::mutex tls_mutex;
-  std::shared_ptr<asio::ssl::context> tls;  ///< of new connections; nullptr: plain HTTP
+  std::shared_ptr<asio::ssl::context> tls;  ///< settings of new connections; nullptr: plain HTTP
   std::shared_ptr<ConnectionContext> context;
   Open open;
   std::vector<std::thread> threads;

@@ -46,7 +46,7 @@ class KeyRing {
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::map<std::string, std::shared_ptr<HeldKey>, std::less<>> keys_;  ///< valid ones by id
-  std::uint64_t version_ = 0;                                          ///< of the keys read last; its thread's
+  std::uint64_t version_ = 0;  ///< version of the keys read last; used by the thread alone
   bool stop_ = false;
   std::thread thread_;
 };

@@ -107,7 +107,7 @@ struct Progressed {
 struct Retention {
   std::optional<std::int64_t> time = {};   ///< ms since the end
   std::optional<std::int64_t> jobs = {};   ///< number of ended jobs
-  std::optional<std::int64_t> bytes = {};  ///< of the whole store
+  std::optional<std::int64_t> bytes = {};  ///< size of the whole store
   std::int64_t spare_bytes = 16 << 20;     ///< free room that the store's file keeps; more is given back to the disk
 };
 

@@ -28,7 +28,7 @@ struct GivenSection {
 struct SplineTask {
   std::vector<double> breaks;  ///< s, sections + 1
   bool periodic = false;
-  double travel = 0;                   ///< of a periodic law: what the position grows by in a cycle
+  double travel = 0;                   ///< what the position of a periodic law grows by in a cycle
   std::vector<int> continuity;         ///< order of continuity of each point; not used at the ends of an open law
   std::vector<ValueCondition> values;  ///< each point and order once, order ≤ continuity but for ends of an open law
   std::vector<std::optional<GivenSection>> given;  ///< empty, or one per section

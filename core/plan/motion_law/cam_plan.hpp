@@ -14,7 +14,7 @@ struct CamPlan {
   cam::CamFigures figures;
   std::optional<cam::LeastRadius> least;  ///< for the pressure angle and the profile's radius, where one is limited
   NurbsPath profile, pitch;               ///< over the cam's angle, deg; a barrel's in the unrolled plane, mm
-  std::optional<NurbsPath> other_flank;   ///< of a barrel's groove
+  std::optional<NurbsPath> other_flank;   ///< second flank of a barrel's groove
   std::vector<cam::CamPlace> places;      ///< over one turn, a quarter of a degree apart at most, for drawings
 };
 

@@ -159,13 +159,13 @@ PointFit fit_points(const std::vector<Vec>& points, std::vector<double> u, doubl
   constexpr int rounds = 20, first_rounds = 3;  // parameters settle in the first ones
   constexpr double largest_power = 100, growth = 1.5, near = 0.95;
   constexpr double least_weight = 1e-3, given_weight = 1e6, snap = 1e-5, acceleration = 1e-8;
-  constexpr double along_share = 1e-2;  // of distances along the curve
+  constexpr double along_share = 1e-2;  // weight of distances along the curve
   const std::size_t n = points.size();
   FitSpline spline(knots);
   PointFit fit{std::vector<Vec>(n, points.front()), points, u, {}}, best;
   FitSpline nearest = spline;
   for (Vec& off : fit.off) off = off - points.front();
-  std::vector<Vec> direction(n);  // of the curve
+  std::vector<Vec> direction(n);  // directions of the curve
   double least = 0, power = 2, scale = radius;
   for (int round = 0; round < rounds; ++round) {
     NormalEquations equations(spline.size());

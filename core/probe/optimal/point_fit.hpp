@@ -12,7 +12,7 @@ struct PointFit {
   std::vector<Vec> at;                         ///< place on the curve that belongs to each point, mm
   std::vector<Vec> off;                        ///< from the curve to the point, across the curve, mm
   std::vector<double> along;                   ///< parameter of each place
-  std::vector<std::array<Vec, 3>> derivative;  ///< of the curve there, orders 1 to 3, with respect to the parameter
+  std::vector<std::array<Vec, 3>> derivative;  ///< derivatives of the curve there by the parameter, orders 1 to 3
 };
 
 /// Fits a spline of degree 5, four times continuously differentiable, over `along`, about the length, with knots from

@@ -74,7 +74,7 @@ std::size_t look_ahead(const ChainLimits<D>& limits, std::size_t from, double br
 struct Effort {
   int levels;
   double final_gap;
-  int iterations;  // of a level; three times as many of the first one, whose start may be slow
+  int iterations;  // largest number of a level; three times as many for the first one, whose start may be slow
 };
 // Few points may take long each; many get less.
 Effort effort(std::size_t edges) {

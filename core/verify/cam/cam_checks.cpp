@@ -95,7 +95,7 @@ class CamVerifier {
     std::vector<double> angle;  // rad
     std::vector<Point> curve, follower;
     double bow = 0;                  // largest distance of curve and follower together from their chords
-    double worst = 0, worst_at = 0;  // of |follower − curve| − roller radius, bow included
+    double worst = 0, worst_at = 0;  // largest |follower − curve| − roller radius, bow included
   };
 
   void add(std::string name, std::string unit, double limit, double value, double phi) {

@@ -25,7 +25,7 @@ struct CamToVerify {
   cam::CamGeometry geometry;
   double base_radius = 0;
   CamCurveToVerify profile;
-  std::optional<CamCurveToVerify> other_flank;  ///< of a barrel's groove
+  std::optional<CamCurveToVerify> other_flank;  ///< second flank of a barrel's groove
   double pressure_angle = 0;                    ///< largest |α| as reported, rad
   std::optional<double> profile_radius;         ///< least convex radius of curvature as reported, mm
   std::optional<double> stress;                 ///< largest Hertz pressure as reported, N/mm²

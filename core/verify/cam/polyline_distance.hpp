@@ -13,7 +13,7 @@ namespace verify {
 
 struct NearestApproach {
   double distance = 0;    ///< mm
-  std::size_t index = 0;  ///< of the place of `path` where the chord begins
+  std::size_t index = 0;  ///< number of the place of `path` where the chord begins
 };
 /// Returns the smallest distance between any chord of `path` and any chord of `line`. Chords of `line` that are farther
 /// than `near` from the one of `path` are skipped by their length, so distances above `near` are bounds from below.

@@ -40,7 +40,7 @@ std::optional<std::int64_t> next_lease(SqliteConnection& connection) {
 }  // namespace
 
 std::int64_t SqliteStore::spare_pages(SqliteConnection& connection) const {
-  constexpr std::int64_t incremental = 2;  // of PRAGMA auto_vacuum
+  constexpr std::int64_t incremental = 2;  // value of PRAGMA auto_vacuum
   if (pragma(connection, "PRAGMA auto_vacuum") != incremental) return 0;
   return std::max(std::int64_t{0},
                   pragma(connection, "PRAGMA freelist_count") - options_.retention.spare_bytes / page_size);

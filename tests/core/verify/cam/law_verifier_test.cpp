@@ -130,7 +130,8 @@ TEST(LawVerifier, PeaksAndObjectiveThatAreTooSmallFail) {
 }
 
 TEST(LawVerifier, RmsValuesAreThoseOfTheCoefficients) {
-  const double a = 20 * std::sqrt(120.0 / 7), j = 20 * std::sqrt(720.0);  // of the polynomial 3-4-5 over 20 in 1 s
+  const double a = 20 * std::sqrt(120.0 / 7),
+               j = 20 * std::sqrt(720.0);  // figures of the polynomial 3-4-5 over 20 in 1 s
   EXPECT_EQ(failed_after([&](Plan& p) { p.law.rms = {0, 0, a, j}; }), std::set<std::string>{});
   EXPECT_EQ(failed_after([&](Plan& p) {
               p.law.rms = {0, 0, a * (1 + 1e-6), j};
