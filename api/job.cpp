@@ -8,6 +8,7 @@
 #include "api/problem.hpp"
 #include "api/schema/embedded.hpp"
 #include "api/schema/schema.hpp"
+#include "api/text/json_range.hpp"
 #include "api/text/json_text.hpp"
 #include "api/text/pointer.hpp"
 #include "core/base/errors.hpp"
@@ -35,13 +36,14 @@ const Schema& kind_schema(const Kind& kind) {
   return schemas[static_cast<std::size_t>(&kind - kinds().data())];
 }
 
-/// Tells whether a text is a URL scheme://host… with http or https, of printable ASCII without blanks.
+/// Tells whether a text is a URL scheme://host… with http or https, of printable ASCII without blanks, and without a
+/// user, whose password everybody would see, or a fragment, which is not sent.
 bool is_web_address(std::string_view uri) {
   const auto scheme = uri.find("://");
   if (scheme == uri.npos || (uri.substr(0, scheme) != "http" && uri.substr(0, scheme) != "https")) return false;
   const auto host = uri.substr(scheme + 3);
-  const auto end = host.find_first_of("/?#");
-  if (host.substr(0, end).empty()) return false;
+  const auto authority = host.substr(0, host.find_first_of("/?"));
+  if (authority.empty() || authority.find('@') != authority.npos || uri.find('#') != uri.npos) return false;
   return std::all_of(uri.begin(), uri.end(),
                      [](char c) { return c > 0x20 && c < 0x7F && c != '"' && c != '<' && c != '>' && c != '\\'; });
 }
@@ -60,41 +62,33 @@ ordered_json nullable_time(const std::optional<std::int64_t>& ms) {
   return ms ? ordered_json(rfc3339(*ms)) : ordered_json(nullptr);
 }
 
+bool control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
+
 /// Checks the members of the envelope whose grammar the schema does not express.
 void check_texts(const json& document, std::vector<FieldError>& errors) {
-  const auto control = [](const std::string& text) {
-    return std::any_of(text.begin(), text.end(),
-                       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
-  };
   for (const char* key : {"name", "reference"})
-    if (const auto value = optional_string(document, key); value && control(*value))
+    if (const auto value = optional_string(document, key); value && std::any_of(value->begin(), value->end(), control))
       errors.push_back({pointer("", {key}), "must not contain control characters"});
   if (const auto value = optional_string(document, "deadline"); value && !parse_rfc3339(*value))
     errors.push_back({"/deadline", "must be an RFC 3339 time such as 2026-01-31T12:00:00Z"});
-  if (const auto value = optional_string(document, "callback"); value && !is_web_address(*value))
-    errors.push_back({"/callback", "must be an absolute http or https address"});
+  if (const json callback = document.value("callback", json()); callback.is_object())
+    if (!is_web_address(callback.at("url").get_ref<const std::string&>()))
+      errors.push_back({"/callback/url", "must be an absolute http or https address, without user and fragment"});
+  const json tags = document.value("tags", json::array());
+  for (std::size_t k = 0; k < tags.size(); ++k) {
+    const auto& tag = tags[k].get_ref<const std::string&>();
+    if (std::any_of(tag.begin(), tag.end(), [](char c) { return control(c) || c == ' ' || c == ','; }))
+      errors.push_back(
+          {pointer("/tags", {std::to_string(k)}), "must be a word, without blanks, commas and control characters"});
+  }
 }
 
-/// Throws Problem semantic-violation with all faults of envelope and spec that the schema does not find, and Stopped if
-/// none was found until then.
-void check_meaning(const json& document, const Kind& kind, Progress& progress) {
-  std::vector<FieldError> errors;
-  if (optional_string(document, "callback"))
-    errors.push_back({"/callback",
-                      "is not available in this version: leave it out or null, and wait for the job with "
-                      "Prefer: wait or its events"});
-  try {
-    progress.report("read", 0);
-    kind.check(document["spec"], progress);
-  } catch (const Stopped&) {
-    if (errors.empty()) throw;
-  } catch (const Problem& problem) {
-    if (errors.empty() || problem.type().slug != "semantic-violation") throw;
-    errors.insert(errors.end(), problem.errors().begin(), problem.errors().end());
-  }
-  if (errors.empty()) return;
-  std::string detail = summary(errors);
-  throw Problem("semantic-violation", detail, std::move(errors));
+/// Returns the document with null in place of the secret of its callback.
+std::string without_secret(std::string_view document) {
+  std::string text(document);
+  if (const auto secret = value_range(document, {"callback", "secret"}))
+    text.replace(secret->begin, secret->end - secret->begin, "null");
+  return text;
 }
 
 }  // namespace
@@ -130,7 +124,8 @@ JobRequest parse_job(std::string_view body, Progress* progress) {
     asked.report("read", 0);
     if (kind && document.contains("spec") && document["spec"].is_object())
       for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
-    if (errors.empty()) check_meaning(document, *kind, asked);
+    asked.report("read", 0);
+    if (errors.empty()) kind->check(document["spec"], asked);
   } catch (const Stopped&) {
     request.checked = false;
   }
@@ -146,7 +141,12 @@ JobRequest parse_job(std::string_view body, Progress* progress) {
   if (const auto deadline = optional_string(document, "deadline")) request.deadline = parse_rfc3339(*deadline);
   if (const auto budget = document.find("time_budget"); budget != document.end() && !budget->is_null())
     request.time_budget = budget->get<double>();
-  request.document = body;
+  for (const auto& tag : document.value("tags", json::array()))
+    if (std::find(request.tags.begin(), request.tags.end(), tag) == request.tags.end()) request.tags.push_back(tag);
+  const json callback = document.value("callback", json());
+  if (callback.is_object())
+    request.callback = Callback{callback.at("url").get<std::string>(), optional_string(callback, "secret")};
+  request.document = callback.is_object() ? without_secret(body) : std::string(body);
   return request;
 }
 
@@ -164,9 +164,19 @@ ordered_json job_resource(const Job& job) {
                         {"priority", request.priority},
                         {"deadline", nullable_time(request.deadline)},
                         {"time_budget", nullable(request.time_budget)},
-                        {"callback", nullable(request.callback)}};
+                        {"tags", request.tags},
+                        {"callback", nullptr}};
+  if (request.callback) {
+    resource["callback"] = {{"url", request.callback->url},
+                            {"attempts", job.delivery.attempts},
+                            {"delivered_at", nullable_time(job.delivery.delivered_at)},
+                            {"next_at", nullable_time(job.delivery.next_at)},
+                            {"error", nullable(job.delivery.error)}};
+  }
   resource["state"] = to_string(job.state);
-  resource["progress"] = {{"fraction", job.fraction}, {"stage", job.stage}, {"message", job.message}};
+  resource["progress"] = {
+      {"fraction", job.fraction}, {"stage", job.stage}, {"message", job.message}, {"remaining", nullptr}};
+  resource["queue"] = nullptr;
   resource["attempt"] = job.attempt;
   resource["created_at"] = rfc3339(job.created_at);
   resource["started_at"] = nullable_time(job.started_at);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bahnwerk {
 class Progress;
@@ -13,15 +14,30 @@ class Progress;
 namespace bahnwerk::api {
 struct PlannedJob;  // api/planned_job.hpp
 
+/// Whom to call when a job has ended.
+struct Callback {
+  std::string url;
+  /// What calls are signed with; nullopt where it is not needed, and in a document that was stored: it is shown to
+  /// nobody.
+  std::optional<std::string> secret = {};
+  bool operator==(const Callback&) const = default;
+};
+
+inline constexpr std::size_t most_tags = 16;
+
 /// A posted document that passed JSON, schema and semantic checks.
 struct JobRequest {
   std::string kind;
-  std::optional<std::string> name, reference, callback;
+  std::optional<std::string> name, reference;
+  std::optional<Callback> callback;
+  std::vector<std::string> tags;         ///< words, at most most_tags, each once
   int priority = 0;                      ///< jobs with a higher priority are planned first
   std::optional<std::int64_t> deadline;  ///< ms since 1970 UTC; planning that takes longer ends as deadline-exceeded
   std::optional<double> time_budget;     ///< s, largest planning time
-  std::string document;                  ///< the whole document, exactly as posted; its `spec` is planned
-  bool checked = true;                   ///< false: the check of the spec was stopped; planning begins with it
+  /// The whole document, exactly as posted but for the callback's secret, in whose place null stands; its `spec` is
+  /// planned.
+  std::string document;
+  bool checked = true;  ///< false: the check of the spec was stopped; planning begins with it
 };
 /// Parses and checks a whole job document. Throws Problem: invalid-json (also for NaN, too deep nesting, broken UTF-8,
 /// duplicate keys), unknown-kind, schema-violation, semantic-violation. The check of the spec asks `progress`, if
@@ -36,6 +52,13 @@ enum class JobState { queued, running, succeeded, failed, cancelled };
 std::string_view to_string(JobState state);
 std::optional<JobState> job_state(std::string_view text);
 
+/// What became of a job's callback.
+struct Delivery {
+  int attempts = 0;
+  std::optional<std::int64_t> delivered_at, next_at;  ///< when it was answered with 2xx, or is tried next
+  std::optional<std::string> error;                   ///< why the last attempt failed
+};
+
 /// A job as the store knows it; times are ms since 1970 UTC.
 struct Job {
   std::string id;
@@ -48,6 +71,7 @@ struct Job {
   std::int64_t created_at = 0;
   std::optional<std::int64_t> started_at, finished_at;
   std::optional<std::string> error;  ///< problem document, JSON text
+  Delivery delivery;                 ///< of the request's callback
   std::uint64_t revision = 0;        ///< grows with every change; the ETag
   /// The revision at which the job entered its state, if known, else 0; later revisions up to `revision` were progress
   /// only.

@@ -21,6 +21,8 @@ constexpr unsigned check_threads = 2;
 
 constexpr unsigned health_threads = 2;
 
+constexpr unsigned callback_threads = 8;  ///< deliveries at a time; one suffices where no host may be called
+
 /// Time after which a silent worker of a shared store loses its jobs to others.
 constexpr std::chrono::milliseconds worker_lease{30'000};
 
@@ -49,6 +51,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                    pack_answers(offload), guard(), prefixed(), same_site(hosts_)},
                                   [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
   check_origins(options.cors_origins);
+  const CallbackHosts callback_hosts(options.callback_hosts);
   listener_ = std::make_unique<Listener>(
       affordable(options.limits), ListenerHooks{.handler = handler,
                                                 .offload = offload,
@@ -82,12 +85,31 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
       [parse = engine.parse](const std::string& document, Progress& progress) { parse(document, &progress); });
   workers_->limit_planning(options.max_planning);
   deadlines_ = std::make_unique<Deadlines>(*store_, time_);
+  callbacks_ = std::make_unique<Callbacks>(*store_, metrics_, http_sender(callback_hosts),
+                                           callback_hosts.empty() ? 1 : callback_threads, time_);
   follow_changes();
   metrics_.build(options.build.version, options.build.commit);
-  context_ = std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *scans_, *health_, *checks_, *heavy_,
-                                               metrics_, std::move(engine.parse), options.max_queued,
-                                               options.max_planning, options.limits.max_body, draining_, options.build,
-                                               time_, options.event_heartbeat, options.workers});
+  places_ = std::make_unique<QueuePlaces>(*store_, time_);
+  context_ = std::make_unique<Context>(Context{*store_,
+                                               live_,
+                                               notifier_,
+                                               *pool_,
+                                               *scans_,
+                                               *health_,
+                                               *checks_,
+                                               *heavy_,
+                                               metrics_,
+                                               std::move(engine.parse),
+                                               options.max_queued,
+                                               options.max_planning,
+                                               options.limits.max_body,
+                                               draining_,
+                                               options.build,
+                                               time_,
+                                               options.event_heartbeat,
+                                               options.workers,
+                                               callback_hosts,
+                                               *places_});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
   add_meta_routes(router_, *context_);
@@ -115,6 +137,7 @@ Service::~Service() {
   health_->join();
   pool_->join();
   keys_.reset();
+  callbacks_.reset();
   deadlines_.reset();
   store_.reset();
 }
@@ -132,6 +155,7 @@ void Service::follow_changes() {
     // A job that has to run alone begins when others have ended, and others when it has.
     if (queued + ended > 0) workers_->notify(queued + ended);
     if (queued > 0) deadlines_->notify();
+    if (ended > 0) callbacks_->notify();
   };
   hooks.all = [this] { notifier_.all_changed(); };
   feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks));
@@ -179,11 +203,12 @@ Service::Drained Service::drain() {
       stuck = true;
     }
   }
+  callbacks_->stop();
   const bool answered = stop_listening(std::max(left(until), options_.answer_patience));
   // A client that was cut off, or has left, may have left a check behind for which nobody waits.
   const auto rest = std::max(until, Clock::now() + options_.answer_patience / 2);
   const bool idle = checks_->wait_idle(left(rest)) && heavy_->wait_idle(left(rest)) && scans_->wait_idle(left(rest)) &&
-                    health_->wait_idle(left(rest)) && pool_->wait_idle(left(rest));
+                    health_->wait_idle(left(rest)) && pool_->wait_idle(left(rest)) && callbacks_->wait_idle(left(rest));
   try {
     // A planner that gets no processor time cannot put its job back; whatever it still does comes too late then.
     if (stuck)

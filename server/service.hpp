@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "server/callbacks/callbacks.hpp"
 #include "server/http/listener.hpp"
 #include "server/http/router.hpp"
 #include "server/http/same_site.hpp"
@@ -31,6 +32,7 @@ struct ServiceOptions {
   std::vector<std::string> allowed_hosts;    ///< names by which clients ask for it; see allowed_hosts()
   std::vector<std::string> cors_origins;     ///< sites whose pages may use it
   std::vector<std::string> trusted_proxies;  ///< see TrustedProxies
+  std::vector<std::string> callback_hosts;   ///< see CallbackHosts
   TlsFiles tls;
   unsigned socket_mode = 0660;                      ///< permissions of a Unix socket
   bool insecure_listen = false;                     ///< listen beyond this machine without keys
@@ -90,8 +92,10 @@ class Service {
   std::unique_ptr<Pool> pool_, scans_, health_, checks_, heavy_;
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<Deadlines> deadlines_;
+  std::unique_ptr<Callbacks> callbacks_;
   std::unique_ptr<ChangeFeed> feed_;
   std::unique_ptr<KeyRing> keys_;
+  std::unique_ptr<QueuePlaces> places_;
   std::unique_ptr<Context> context_;
 };
 

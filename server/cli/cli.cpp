@@ -81,6 +81,11 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
                      "a site whose pages may use this service, as often as needed: https://planning.example.com")
           ->delimiter(',')
           ->type_name("ORIGIN"));
+  env(app.add_option("--callback-host", options.callback_hosts,
+                     "a host that jobs may have called when they have ended, as often as needed: a name or an address; "
+                     "*.NAME or *, at public addresses alone")
+          ->delimiter(',')
+          ->type_name("HOST"));
   env(app.add_option("--store", options.store, "where jobs live: sqlite:PATH")->type_name("URL"));
   env(add_bytes(app, "--store-reserve", options.store_reserve,
                 "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "

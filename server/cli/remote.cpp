@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "server/cli/cli.hpp"
-#include "server/cli/http_client.hpp"
 #include "server/cli/progress_bar.hpp"
+#include "server/http/http_client.hpp"
 #include "server/http/uri.hpp"
 #include "server/runtime/uuid7.hpp"
 

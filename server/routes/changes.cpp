@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
@@ -10,16 +9,13 @@
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
 #include "server/routes/event_feed.hpp"
+#include "server/routes/waiting.hpp"
 #include "server/routes/watch.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
-using Clock = Notifier::Clock;
-
 constexpr std::size_t most_at_once = 1000;
-/// Shortest time between two pieces of a stream: what changes meanwhile is sent together.
-constexpr std::chrono::milliseconds between_pieces{100};
 
 nlohmann::ordered_json entry(const Changed& changed) {
   return {{"sequence", changed.sequence},
@@ -27,13 +23,8 @@ nlohmann::ordered_json entry(const Changed& changed) {
           {"state", changed.state ? api::to_string(*changed.state) : "removed"}};
 }
 
-struct News {
-  Changes changes;
-  std::uint64_t next = 0;  ///< sequence from which to ask on
-};
+}  // namespace
 
-/// Returns the changes after `since` that the caller may see. A number that the store has not given yet is of another
-/// store: then all jobs have to be looked at.
 News news(Store& store, std::uint64_t since, std::size_t limit, const std::optional<std::string>& owner) {
   News out;
   out.next = store.last_change();  // before the look: what comes during it is looked for the next time
@@ -49,6 +40,8 @@ News news(Store& store, std::uint64_t since, std::size_t limit, const std::optio
   return out;
 }
 
+namespace {
+
 bool empty(const News& news) { return news.changes.list.empty() && !news.changes.gap; }
 
 Response answer(const News& news) {
@@ -58,57 +51,6 @@ Response answer(const News& news) {
   response.set("Cache-Control", "no-store");
   return response;
 }
-
-/// One request that waits for a change. It reads on the pool, and again whenever the notifier calls.
-struct Waiting : std::enable_shared_from_this<Waiting> {
-  Waiting(Context& all, RequestPtr asked, Reply give, std::uint64_t from, std::size_t most, int seconds)
-      : context(all),
-        request(std::move(asked)),
-        reply(std::move(give)),
-        owner(sees_only(*request)),
-        since(from),
-        limit(most),
-        wait(seconds),
-        until(context.time.now() + std::chrono::seconds(seconds)) {}
-
-  void look() {
-    try {
-      const News found = news(context.store, since, limit, owner);
-      if (!empty(found) || finished || context.draining || context.time.now() >= until) {
-        Response response = answer(found);
-        response.set("Preference-Applied", "wait=" + std::to_string(wait));
-        return reply(std::move(response));
-      }
-      since = found.next;
-      if (request->listen && !std::exchange(listening, true)) {
-        request->listen([weak = weak_from_this()] {
-          if (const auto alive = weak.lock()) {
-            alive->finished = true;
-            alive->context.notifier.wake(alive->token);
-          }
-        });
-      }
-      token = context.notifier.wait(std::string(Notifier::any_job), until,
-                                    [self = shared_from_this()] { self->context.pool.post([self] { self->look(); }); });
-      // A change between the query and the wait would be missed.
-      if (finished || context.store.last_change() != since) context.notifier.wake(token);
-    } catch (...) {
-      reply(answer_from_current_exception(*request));
-    }
-  }
-
-  Context& context;
-  const RequestPtr request;
-  const Reply reply;
-  const std::optional<std::string> owner;
-  std::uint64_t since;
-  const std::size_t limit;
-  const int wait;
-  const Clock::time_point until;
-  bool listening = false;  ///< whether the connection knows that this one waits
-  std::atomic<bool> finished{false};
-  std::atomic<Notifier::Token> token{0};
-};
 
 /// The changes of all jobs that the client may see.
 class ChangesFeed final : public EventFeed {
@@ -181,8 +123,16 @@ void begin(Context& context, const RequestPtr& request, const Reply& reply) {
   const auto since = begin_after(*request);
   const std::uint64_t from = since ? *since : context.store.last_change();
   if (*form == 1) return reply(event_stream(std::make_shared<ChangesFeed>(context, *request, from)));
-  if (const int wait = preferred_wait(*request); wait > 0)
-    return std::make_shared<Waiting>(context, request, reply, from, limit, wait)->look();
+  if (const int wait = preferred_wait(*request); wait > 0) {
+    const auto look = [&context, limit, owner = sees_only(*request),
+                       next = from](bool last) mutable -> std::optional<Response> {
+      const News found = news(context.store, next, limit, owner);
+      if (last || !empty(found)) return answer(found);
+      next = found.next;
+      return std::nullopt;
+    };
+    return std::make_shared<AnyJobWait>(context, context.pool, request, reply, wait, look)->look();
+  }
   reply(answer(since ? news(context.store, from, limit, sees_only(*request)) : News{{}, from}));
 }
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
@@ -17,15 +19,27 @@ api::Job find_job(Context& context, const std::string& id) {
   return std::move(*job);
 }
 
-nlohmann::ordered_json job_resource(const api::Job& job, const std::string& prefix) {
+std::optional<double> remaining_seconds(const api::Job& job, std::int64_t now) {
+  constexpr double enough = 0.05;  // of the share that is done
+  constexpr double longest = 86400;
+  if (job.state != api::JobState::running || !job.started_at || job.fraction < enough) return std::nullopt;
+  const double spent = static_cast<double>(std::max(std::int64_t{0}, now - *job.started_at)) * 1e-3;
+  return std::min(longest, spent * (1 - job.fraction) / job.fraction);
+}
+
+nlohmann::ordered_json job_resource(const Context& context, const api::Job& job, const std::string& prefix) {
   auto resource = api::job_resource(job);
+  if (const auto seconds = remaining_seconds(job, context.time.now_ms()))
+    resource["progress"]["remaining"] = std::round(*seconds * 10) / 10;
+  if (job.state == api::JobState::queued)
+    if (const auto ahead = context.places.ahead(job.id)) resource["queue"] = {{"ahead", *ahead}};
   if (!prefix.empty())
     for (auto& [name, link] : resource["links"].items()) link = prefix + link.get<std::string>();
   return resource;
 }
 
-Response job_answer(int status, const Request& request, const api::Job& job) {
-  Response response = json_answer(status, job_resource(job, request.prefix));
+Response job_answer(const Context& context, int status, const Request& request, const api::Job& job) {
+  Response response = json_answer(status, job_resource(context, job, request.prefix));
   response.set("ETag", job_etag(job));
   return response;
 }

@@ -4,9 +4,11 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 
+#include "server/callbacks/callback_hosts.hpp"
 #include "server/http/router.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
+#include "server/jobs/queue_places.hpp"
 #include "server/runtime/build_info.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/metrics.hpp"
@@ -37,6 +39,8 @@ struct Context {
   const TimeSource& time;
   std::chrono::milliseconds event_heartbeat;  ///< longest silence of a stream of events
   unsigned workers;                           ///< number of planner threads
+  const CallbackHosts callback_hosts;         ///< hosts that may be called
+  QueuePlaces& places;
 };
 
 void add_job_routes(Router& router,
@@ -55,9 +59,13 @@ api::Job require_success(Context& context, const std::string& id);
 api::Job require_result(Context& context, const std::string& id);
 bool final(const api::Job& job);  ///< returns whether the job has ended
 std::string job_etag(const api::Job& job);
-/// Returns the job resource with the prefix of the proxy, if there is one, before its links.
-nlohmann::ordered_json job_resource(const api::Job& job, const std::string& prefix);
-Response job_answer(int status, const Request& request, const api::Job& job);
+/// Returns the job resource with the prefix of the proxy, if there is one, before its links, with its place in the
+/// queue and the time that remains. Both are as of now: a change of them alone is no new ETag.
+nlohmann::ordered_json job_resource(const Context& context, const api::Job& job, const std::string& prefix);
+/// Returns the estimate of the time until a running job ends, s: the time so far grows with the share that is done.
+/// nullopt where too little is done to tell.
+std::optional<double> remaining_seconds(const api::Job& job, std::int64_t now);
+Response job_answer(const Context& context, int status, const Request& request, const api::Job& job);
 /// Throws Problem not-acceptable unless the request accepts application/json.
 void require_json(const Request& request);
 /// Answers 304 when If-None-Match names `etag` (quotes included), else `response` with it.

@@ -64,9 +64,9 @@ class JobFeed final : public EventFeed {
       before.stage = before.message = "";
       before.finished_at = std::nullopt;
       before.error = std::nullopt;
-      text += event_text("state", job.revision - 1, job_resource(before, prefix_));
+      text += event_text("state", job.revision - 1, job_resource(context_, before, prefix_));
     }
-    const auto resource = job_resource(job, prefix_);
+    const auto resource = job_resource(context_, job, prefix_);
     text += entered ? event_text("state", job.revision, resource)
                     : event_text("progress", job.revision, resource["progress"]);
     if (job.state == api::JobState::queued) queued_ = job.revision;

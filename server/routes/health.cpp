@@ -38,7 +38,8 @@ Response metrics(Context& context) {
                            .oldest_queued_seconds = std::max(0.0, age),
                            .store_bytes = store.bytes,
                            .store_log_bytes = store.log_bytes,
-                           .store_free_bytes = store.free_bytes});
+                           .store_free_bytes = store.free_bytes,
+                           .callbacks = static_cast<double>(store.callbacks)});
   return uncached(text_answer(200, "text/plain; version=0.0.4; charset=utf-8", context.metrics.text()));
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
@@ -10,8 +11,10 @@
 #include "server/routes/context.hpp"
 #include "server/routes/events.hpp"
 #include "server/routes/submit.hpp"
+#include "server/routes/waiting.hpp"
 #include "server/routes/watch.hpp"
 #include "server/runtime/clock.hpp"
+#include "server/runtime/sha256.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -33,6 +36,14 @@ JobFilter parse_filter(const Pairs& query) {
       filter.kind = value;
     } else if (name == "reference") {
       filter.reference = value;
+    } else if (name == "tag") {
+      filter.tag = value;
+    } else if (name == "text") {
+      if (value.empty()) bad_query(name, "expected the begin of a name, a reference or an id");
+      filter.text = value;
+    } else if (name == "sort") {
+      if (value != "newest" && value != "oldest") bad_query(name, "expected newest or oldest");
+      filter.oldest_first = value == "oldest";
     } else if (name == "created_after" || name == "created_before" || name == "before") {
       const auto time = api::parse_rfc3339(value);
       if (!time) bad_query(name, "expected an RFC 3339 time such as 2026-01-31T12:00:00Z");
@@ -50,32 +61,72 @@ JobFilter parse_filter(const Pairs& query) {
   return filter;
 }
 
-Response list(Context& context, const Request& request) {
-  require_json(request);
+/// A page of the list, and its tag: of what clients see, but for places in the queue and estimates.
+struct Page {
+  nlohmann::ordered_json document;
+  std::string etag;
+  bool running = false;  ///< whether the progress of a job may change it
+};
+
+Page page(Context& context, const Request& request) {
   JobFilter filter = parse_filter(request.query);
   filter.owner = sees_only(request);
   const std::size_t limit = filter.limit++;  // one more shows whether there is a next page
   auto jobs = context.store.list(filter);
   const bool more = jobs.size() > limit;
   if (more) jobs.pop_back();
-  auto page = nlohmann::ordered_json::array();
+  Page page;
+  std::string state = request.prefix;
+  auto list = nlohmann::ordered_json::array();
+  const auto queued = [](const api::Job& job) { return job.state == api::JobState::queued; };
+  if (std::any_of(jobs.begin(), jobs.end(), queued)) context.places.look();
   for (auto& job : jobs) {
     context.live.overlay(job);
-    page.push_back(job_resource(job, request.prefix));
+    list.push_back(job_resource(context, job, request.prefix));
+    state.append(" ").append(job.id).append(":").append(std::to_string(job.revision));
+    page.running = page.running || job.state == api::JobState::running;
   }
-  nlohmann::ordered_json document{{"jobs", std::move(page)}, {"next", nullptr}};
-  if (more) document["next"] = jobs.back().id;
-  Response response = json_answer(200, document);
-  response.set("Cache-Control", "no-store");
-  return response;
+  nlohmann::ordered_json counts;
+  for (const auto& [each, count] : context.store.counts(filter.owner))
+    counts[std::string(api::to_string(each))] = count;
+  page.document = {{"jobs", std::move(list)}, {"next", nullptr}, {"counts", counts}};
+  if (more) page.document["next"] = jobs.back().id;
+  page.etag = "\"" + sha256(state + counts.dump() + page.document["next"].dump()).substr(0, 32) + "\"";
+  return page;
+}
+
+Response page_answer(const Request& request, const Page& page) {
+  return unless_known(request, page.etag, [&] { return json_answer(200, page.document); });
+}
+
+/// GET /v1/jobs. `Prefer: wait` together with If-None-Match delays the answer until the page differs from the one that
+/// the client has.
+void list(Context& context, const RequestPtr& request, const Reply& reply) {
+  require_json(*request);
+  context.scans.post([&context, request, reply] {
+    try {
+      const int wait = request->header("if-none-match") ? preferred_wait(*request) : 0;
+      const Page first = page(context, *request);
+      if (wait == 0 || !matches_etag(*request, first.etag)) return reply(page_answer(*request, first));
+      const auto look = [&context, request](bool last) -> std::optional<Response> {
+        const Page now = page(context, *request);
+        if (!last && matches_etag(*request, now.etag)) return std::nullopt;
+        return page_answer(*request, now);
+      };
+      const auto again = first.running ? std::optional<std::chrono::milliseconds>(progress_interval) : std::nullopt;
+      std::make_shared<AnyJobWait>(context, context.scans, request, reply, wait, look, again)->look();
+    } catch (...) {
+      reply(answer_from_current_exception(*request));
+    }
+  });
 }
 
 /// Reads the filter of a call that acts on all jobs which match it; without one it would act on all jobs there are.
 JobFilter required_filter(const Request& request) {
   if (request.query.empty())
     throw api::Problem("schema-violation",
-                       "The query is not valid: name at least one of state, kind, reference, before",
-                       {{"/query", "names no filter; expected state, kind, reference or before"}});
+                       "The query is not valid: name at least one of state, kind, reference, tag, before",
+                       {{"/query", "names no filter; expected state, kind, reference, tag or before"}});
   return parse_filter(request.query);
 }
 
@@ -97,7 +148,7 @@ Response cancel(Context& context, const Request& request) {
   require_precondition(request, find_job(context, id));
   if (!context.store.cancel(id, context.time.now_ms()))
     throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
-  Response response = job_answer(202, request, find_job(context, id));
+  Response response = job_answer(context, 202, request, find_job(context, id));
   response.set("Location", "/v1/jobs/" + id);
   return response;
 }
@@ -140,18 +191,22 @@ Response remove(Context& context, const Request& request) {
 void add_job_routes(Router& router, Context& context) {
   router.add("POST", "/v1/jobs", Access::submit,
              [&](const RequestPtr& request, const Reply& reply) { submit(context, request, reply); });
-  router.add("GET", "/v1/jobs", Access::read,
-             on_pool(context.scans, [&](const Request& request) { return list(context, request); }),
-             {"state", "kind", "reference", "created_after", "created_before", "limit", "cursor"});
+  router.add(
+      "GET", "/v1/jobs", Access::read,
+      [&](const RequestPtr& request, const Reply& reply) { list(context, request, reply); },
+      {"state", "kind", "reference", "tag", "text", "created_after", "created_before", "sort", "limit", "cursor"});
   router.add("DELETE", "/v1/jobs", Access::admin,
              on_pool(context.scans, [&](const Request& request) { return remove_all(context, request); }),
-             {"state", "kind", "reference", "before"});
+             {"state", "kind", "reference", "tag", "before"});
   router.add("POST", "/v1/jobs/cancel", Access::admin,
              on_pool(context.scans, [&](const Request& request) { return cancel_all(context, request); }),
-             {"state", "kind", "reference", "before"});
+             {"state", "kind", "reference", "tag", "before"});
   router.add("GET", "/v1/changes", Access::read,
              [&](const RequestPtr& request, const Reply& reply) { changes(context, request, reply); },
              {"since", "limit"});
+  router.add("GET", "/v1/events", Access::read,
+             [&](const RequestPtr& request, const Reply& reply) { all_events(context, request, reply); },
+             {"state", "kind"});
   router.add("GET", "/v1/jobs/{id}", Access::read,
              [&](const RequestPtr& request, const Reply& reply) { watch(context, request, reply); });
   router.add("GET", "/v1/jobs/{id}/spec", Access::read,

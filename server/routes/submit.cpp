@@ -88,8 +88,8 @@ std::optional<Response> refused(const Context& context, const Request& request, 
   return std::nullopt;
 }
 
-Response accepted(const Request& request, const api::Job& job) {
-  Response response = job_answer(202, request, job);
+Response accepted(const Context& context, const Request& request, const api::Job& job) {
+  Response response = job_answer(context, 202, request, job);
   response.set("Location", "/v1/jobs/" + job.id);
   return response;
 }
@@ -155,6 +155,7 @@ class Post : public std::enable_shared_from_this<Post> {
       return false;
     }
     if (!job_.request.checked) return false;
+    check_callback();
     insert();
     return true;
   }
@@ -172,8 +173,22 @@ class Post : public std::enable_shared_from_this<Post> {
                          "The memory that the service may use does not suffice to check the document: divide it, or "
                          "describe it with curves instead of many short lines.");
     }
+    check_callback();
     insert();
     return true;
+  }
+
+  /// Throws Problem where the document has a callback that this service would not make, or could not sign.
+  void check_callback() const {
+    const auto& callback = job_.request.callback;
+    if (!callback) return;
+    const std::string refusal = context_.callback_hosts.refusal(callback->url);
+    if (!refusal.empty())
+      throw api::Problem("semantic-violation", "/callback/url: " + refusal, {{"/callback/url", refusal}});
+    const std::string unsigned_call = "is missing: the receiver checks with it who calls";
+    if (!callback->secret)
+      throw api::Problem("semantic-violation", "/callback/secret: " + unsigned_call,
+                         {{"/callback/secret", unsigned_call}});
   }
 
   /// Unpacks the body if it is packed; returns false if it has more than `most` bytes then.
@@ -204,6 +219,7 @@ class Post : public std::enable_shared_from_this<Post> {
     request_->body = std::string();
     job_.now = context_.time.now_ms();
     job_.max_queued = context_.max_queued;
+    if (const auto& callback = job_.request.callback) job_.callback_receiver = receiver_of(callback->url);
     if (const auto& held = request_->key) {
       if (!job_.owner) job_.owner = held->key.name;
       job_.max_owned = held->key.max_queued;
@@ -223,7 +239,7 @@ class Post : public std::enable_shared_from_this<Post> {
       if (auto response = refused(context_, *request_, inserted)) return reply_(std::move(*response));
       if (const int wait = preferred_wait(*request_); wait > 0)
         return answer_at_end(context_, request_, reply_, inserted.id, wait, accepted);
-      reply_(accepted(*request_, find_job(context_, inserted.id)));
+      reply_(accepted(context_, *request_, find_job(context_, inserted.id)));
     } catch (...) {
       reply_(answer_from_current_exception(*request_));
     }

@@ -11,13 +11,13 @@ namespace {
 
 constexpr int longest_wait = 60;
 
-Response current(const Request& request, const api::Job& job) {
-  return unless_known(request, job_etag(job), [&] { return job_answer(200, request, job); });
+Response current(const Context& context, const Request& request, const api::Job& job) {
+  return unless_known(request, job_etag(job), [&] { return job_answer(context, 200, request, job); });
 }
 
 /// One delayed request. It reads the job on the pool, and again whenever the notifier calls.
 struct Waiting : std::enable_shared_from_this<Waiting> {
-  using Answer = std::function<Response(const Request&, const api::Job&)>;
+  using Answer = std::function<Response(const Context&, const Request&, const api::Job&)>;
   Waiting(Context& all, RequestPtr asked, Reply give, std::string job, int seconds, bool changes, Answer answer)
       : context(all),
         request(std::move(asked)),
@@ -50,7 +50,8 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
     try {
       const api::Job job = find_job(context, id);
       if (over() || due(job)) {
-        Response response = answer_with(*request, job);
+        if (job.state == api::JobState::queued) context.places.look();
+        Response response = answer_with(context, *request, job);
         response.set("Preference-Applied", "wait=" + std::to_string(wait));
         return reply(std::move(response));
       }
@@ -120,7 +121,7 @@ int preferred_wait(const Request& request) {
 }
 
 void answer_at_end(Context& context, const RequestPtr& request, const Reply& reply, const std::string& id, int seconds,
-                   std::function<Response(const Request&, const api::Job&)> answer) {
+                   std::function<Response(const Context&, const Request&, const api::Job&)> answer) {
   std::make_shared<Waiting>(context, request, reply, id, seconds, false, std::move(answer))->look();
 }
 
@@ -133,14 +134,16 @@ void watch(Context& context, const RequestPtr& request, const Reply& reply) {
     return;
   }
   // Most queries are for a job that was read a moment ago: no other thread is woken for those.
-  if (auto job = context.store.at_hand(request->parameter("id"))) {
+  if (auto job = context.store.at_hand(request->parameter("id"));
+      job && (job->state != api::JobState::queued || !context.places.outdated())) {
     context.live.overlay(*job);
-    return reply(current(*request, *job));
+    return reply(current(context, *request, *job));
   }
   context.pool.post([&context, request, reply] {
     reply_with(*request, reply, [&] {
       const api::Job job = find_job(context, request->parameter("id"));
-      return current(*request, job);
+      if (job.state == api::JobState::queued) context.places.look();
+      return current(context, *request, job);
     });
   });
 }

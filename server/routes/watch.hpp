@@ -14,7 +14,7 @@ void watch(Context& context, const RequestPtr& request, const Reply& reply);
 /// Replies with `answer` when the job has ended or `seconds` are over, and says Preference-Applied; to be called on the
 /// pool.
 void answer_at_end(Context& context, const RequestPtr& request, const Reply& reply, const std::string& id, int seconds,
-                   std::function<Response(const Request&, const api::Job&)> answer);
+                   std::function<Response(const Context&, const Request&, const api::Job&)> answer);
 
 /// Returns the seconds of a Prefer header's wait, 0 without one.
 int preferred_wait(const Request& request);

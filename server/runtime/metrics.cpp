@@ -50,6 +50,11 @@ struct Metrics::State {
   prometheus::Gauge& store = gauge("bahnwerk_store_bytes", "Size of the store's file, bytes");
   prometheus::Gauge& store_log = gauge("bahnwerk_store_log_bytes", "Size of the store's log, bytes");
   prometheus::Gauge& store_free = gauge("bahnwerk_store_free_bytes", "Bytes free on the store's disk");
+  prometheus::Gauge& callbacks = gauge("bahnwerk_callbacks_pending", "Callbacks of ended jobs that wait for delivery");
+  prometheus::Family<prometheus::Counter>& callback_attempts = prometheus::BuildCounter()
+                                                                   .Name("bahnwerk_callback_attempts_total")
+                                                                   .Help("Calls of receivers, by their outcome")
+                                                                   .Register(registry);
   prometheus::Family<prometheus::Histogram>& planning = prometheus::BuildHistogram()
                                                             .Name("bahnwerk_planning_seconds")
                                                             .Help("Planning time of jobs by kind and final state, s")
@@ -105,6 +110,7 @@ void Metrics::observe(const Observed& observed) {
   state_->store.Set(observed.store_bytes);
   state_->store_log.Set(observed.store_log_bytes);
   state_->store_free.Set(observed.store_free_bytes);
+  state_->callbacks.Set(observed.callbacks);
 }
 
 void Metrics::planned(std::string_view kind, std::string_view state, double seconds) {
@@ -114,6 +120,10 @@ void Metrics::planned(std::string_view kind, std::string_view state, double seco
 void Metrics::commit(double seconds, std::size_t writes) {
   state_->commits.Observe(seconds);
   state_->writes.Increment(static_cast<double>(writes));
+}
+
+void Metrics::callback(std::string_view outcome) {
+  state_->callback_attempts.Add({{"outcome", std::string(outcome)}}).Increment();
 }
 
 void Metrics::connections(std::size_t open) { state_->open.Set(static_cast<double>(open)); }

@@ -18,6 +18,7 @@ class Metrics {
   void refused(std::string_view problem);
   void planned(std::string_view kind, std::string_view state, double seconds);
   void commit(double seconds, std::size_t writes);  ///< counts a transaction of the store
+  void callback(std::string_view outcome);          ///< counts an attempt: delivered, failed, given_up
   void connections(std::size_t open);
   void jobs(std::string_view state, std::size_t count);
   void build(const std::string& version, const std::string& commit);
@@ -25,6 +26,7 @@ class Metrics {
   struct Observed {
     double resident_bytes = 0, descriptors = 0, max_descriptors = 0, workers = 0, busy_workers = 0;
     double oldest_queued_seconds = 0, store_bytes = 0, store_log_bytes = 0, store_free_bytes = 0;
+    double callbacks = 0;
   };
   void observe(const Observed& observed);
   std::string text() const;  ///< Prometheus text format 0.0.4

@@ -36,10 +36,12 @@ class Store : public ChangeSource {
   /// Returns the job without its document if it is up to date in memory, without disk access: for threads that must not
   /// wait.
   virtual std::optional<api::Job> at_hand(const std::string&) { return std::nullopt; }
-  /// `with_document` false leaves JobRequest::document empty.
+  /// `with_document` false leaves JobRequest::document empty, and the callback without its secret.
   virtual std::optional<api::Job> get(const std::string& id, bool with_document = true) = 0;
-  virtual std::vector<api::Job> list(const JobFilter& filter) = 0;  ///< newest first, without documents
-  virtual std::map<api::JobState, std::size_t> counts() = 0;
+  virtual std::vector<api::Job> list(const JobFilter& filter) = 0;  ///< without documents
+  virtual std::vector<std::string> queue(std::size_t limit) = 0;    ///< the first jobs of the queue, in its order
+  /// Returns how many jobs are in each state, all or those of one owner; without counting them.
+  virtual std::map<api::JobState, std::size_t> counts(const std::optional<std::string>& owner = std::nullopt) = 0;
   virtual StoreStatus status() = 0;
   virtual void ping() = 0;  ///< a real query; throws StoreError, also when there is no space for another job
 
@@ -74,13 +76,24 @@ class Store : public ChangeSource {
   /// megabytes per call; writes only when there are any.
   virtual Expired expire(std::int64_t now) = 0;
 
+  // Callbacks. The call that ends a job makes its callback due, in the same transaction; the removal of the job
+  // withdraws it.
+
+  /// Returns the receivers to whom callbacks are to be delivered, each with the time when the first one is due.
+  virtual std::vector<std::pair<std::string, std::int64_t>> callback_receivers() = 0;
+  /// Returns the callbacks of a receiver that are due at `now`, in this order, at most `limit`.
+  virtual std::vector<DueCallback> due_callbacks(const std::string& receiver, std::int64_t now, std::size_t limit) = 0;
+  /// Records an attempt; without effect if the job was removed.
+  virtual void called_back(const CallbackAttempt& attempt) = 0;
+
   // Requests of clients.
 
   /// Cancels a queued job at once and records the request for a running one; finished jobs are unchanged. Returns the
   /// job afterwards, without its document.
   virtual std::optional<api::Job> cancel(const std::string& id, std::int64_t now) = 0;
   virtual bool cancel_requested(const std::string& id) = 0;
-  /// Removes the job at once, then its rows piece by piece, so that other writes proceed in between.
+  /// Removes the job at once, with a callback that was not delivered, then its rows piece by piece, so that other
+  /// writes proceed in between.
   virtual Removed remove(const std::string& id) = 0;
   /// Act on all jobs that match the filter, in pieces, so that other writes proceed in between; return how many were
   /// cancelled (queued, or running and asked to stop), or removed (running ones are not). `limit` is not used.

@@ -24,6 +24,7 @@ struct StoreStatus {
   double bytes = 0, log_bytes = 0;            ///< of the jobs, and of what was not moved to them yet
   double free_bytes = 0;                      ///< bytes that may still be written
   std::optional<std::int64_t> oldest_queued;  ///< when the job that waits longest was posted, ms since 1970 UTC
+  std::size_t callbacks = 0;                  ///< callbacks that are to be delivered
 };
 
 inline constexpr std::int64_t ms_per_day = 86'400'000;
@@ -35,6 +36,8 @@ struct NewJob {
   std::int64_t now = 0;
   std::size_t max_queued = 0;             ///< refuses the job when this many already wait
   std::optional<std::string> owner = {};  ///< name of the key that posts it
+  /// Who is called, of which calls do not wait for those of others; given where the request has a callback.
+  std::optional<std::string> callback_receiver = {};
   /// Refuses the job when so many of its owner wait, or planners spent so many ms on the owner's jobs on this day
   /// (UTC).
   std::optional<std::int64_t> max_owned = {}, max_planning_ms = {};
@@ -47,9 +50,11 @@ struct Inserted {
 
 struct JobFilter {
   std::optional<api::JobState> state = {};
-  std::optional<std::string> kind = {}, reference = {};
+  std::optional<std::string> kind = {}, reference = {}, tag = {};
   std::optional<std::string> owner = {};  ///< jobs of this name alone
-  std::string before = {};                ///< upper limit of the ids, exclusive; empty: from the newest
+  std::optional<std::string> text = {};   ///< begin of the name, the reference or the id; not empty
+  bool oldest_first = false;              ///< by default the newest is the first
+  std::string before = {};                ///< the last id of the page before; empty: from the first
   std::optional<std::int64_t> created_after = {},
                               created_before = {};  ///< limits of the time of posting: from, and before
   std::size_t limit = 50;
@@ -103,7 +108,20 @@ struct Progressed {
   std::uint64_t revision = 0;
 };
 
-/// How long ended jobs are kept. What exceeds one of the limits is removed, what ended first goes first.
+/// A callback that is to be delivered.
+struct DueCallback {
+  api::Job job;  ///< without its document
+  std::string secret;
+};
+struct CallbackAttempt {
+  std::string id;
+  std::int64_t now = 0;
+  std::optional<std::string> error = {};     ///< why it failed; nullopt: it was delivered
+  std::optional<std::int64_t> next_at = {};  ///< when a failed one is tried again; nullopt: not any more
+};
+
+/// How long ended jobs are kept, those at least whose callback is to be delivered. What exceeds one of the limits is
+/// removed, what ended first goes first.
 struct Retention {
   std::optional<std::int64_t> time = {};   ///< ms since the end
   std::optional<std::int64_t> jobs = {};   ///< number of ended jobs

@@ -24,9 +24,28 @@ TEST(ParseJob, ReadsEveryMember) {
   EXPECT_EQ(request.priority, 5);
   EXPECT_EQ(request.deadline, parse_rfc3339("2026-01-31T11:00:00Z"));
   EXPECT_EQ(request.time_budget, 2.5);
-  EXPECT_FALSE(request.callback);
-  EXPECT_EQ(request.document, test::read_file(test::source("schemas/examples/job/complete.json")));
+  EXPECT_EQ(request.callback, (Callback{"https://example.com/done?job=12", "not to be shown"}));
+  EXPECT_EQ(request.tags, (std::vector<std::string>{"steel", "line-2"}));
   EXPECT_EQ(job_spec(request.document), test::read_json(test::source("schemas/examples/job/complete.json"))["spec"]);
+}
+
+TEST(ParseJob, KeepsTheDocumentAsPostedButForTheSecret) {
+  const std::string plain =
+      R"("kind":"contour", "spec":{"contour":{"points":[[0,0],[100,0]]},"machine":{"axes":)"
+      R"({"x":{"velocity":1800,"acceleration":16000},"y":{"velocity":1800,"acceleration":16000}}}} })";
+  EXPECT_EQ(parse_job("{ " + plain).document, "{ " + plain);
+  for (const std::string name : {R"("secret")", R"("\u0073ecret")"}) {
+    const auto request = parse_job(R"({"callback":{"url":"http://a/b", )" + name + R"( : "a\"}b" }, )" + plain);
+    EXPECT_EQ(request.callback->secret, "a\"}b");
+    EXPECT_EQ(request.document, R"({"callback":{"url":"http://a/b", )" + name + " : null }, " + plain);
+    EXPECT_EQ(parse_job(request.document).callback, (Callback{"http://a/b", std::nullopt}));
+  }
+}
+
+TEST(ParseJob, KeepsEachTagOnce) {
+  auto document = test::read_json(test::source("schemas/examples/job/minimal.json"));
+  document["tags"] = {"b", "a", "b"};
+  EXPECT_EQ(parse_job(document.dump()).tags, (std::vector<std::string>{"b", "a"}));
 }
 
 /// Stops a check at its n-th question.
@@ -49,7 +68,7 @@ TEST(ParseJob, AStoppedCheckLeavesTheRequestUnchecked) {
   for (const auto& [member, value, slug] :
        {std::tuple<const char*, json, const char*>{"priority", "high", "schema-violation"},
         {"kind", "unheard", "unknown-kind"},
-        {"callback", "https://example.org", "semantic-violation"}}) {
+        {"callback", "https://example.org", "schema-violation"}}) {
     json faulty = document;
     faulty[member] = value;
     StopsAt progress(2);
@@ -68,7 +87,8 @@ TEST(ParseJob, AbsentAndNullAreTheSame) {
     const auto request = parse_job(document.dump());
     EXPECT_FALSE(request.name || request.reference || request.callback || request.deadline || request.time_budget);
     EXPECT_EQ(request.priority, 0);
-    for (const char* key : {"name", "reference", "callback", "deadline", "time_budget"}) document[key] = nullptr;
+    for (const char* key : {"name", "reference", "callback", "tags", "deadline", "time_budget"})
+      document[key] = nullptr;
   }
 }
 
@@ -131,8 +151,8 @@ TEST(JobResource, HasTheMembersOfTheContractInOrder) {
   EXPECT_EQ(
       resource.dump(),
       R"({"id":"0190b6a4-0000-7000-8000-000000000001","kind":"contour","name":"bracket","reference":null,"priority":0,"deadline":null,)"
-      R"("time_budget":null,"callback":null,"state":"queued",)"
-      R"("progress":{"fraction":0.0,"stage":"","message":""},"attempt":0,"created_at":"2026-01-31T12:00:00.000Z","started_at":null,)"
+      R"("time_budget":null,"tags":[],"callback":null,"state":"queued",)"
+      R"("progress":{"fraction":0.0,"stage":"","message":"","remaining":null},"queue":null,"attempt":0,"created_at":"2026-01-31T12:00:00.000Z","started_at":null,)"
       R"("finished_at":null,"error":null,"links":{"self":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001",)"
       R"("spec":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001/spec",)"
       R"("events":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001/events",)"
@@ -147,6 +167,9 @@ TEST(JobResource, ShowsWhatIsKnown) {
   job.request.time_budget = 1.5;
   job.state = JobState::failed;
   job.attempt = 2;
+  job.request.callback = Callback{"http://a/b", "secret"};
+  job.request.tags = {"x"};
+  job.delivery = {3, std::nullopt, 1769860801000, "answered 500"};
   job.started_at = 1769860801000;
   job.finished_at = 1769860802500;
   job.error = Problem("infeasible", "no way").document().dump();
@@ -157,6 +180,9 @@ TEST(JobResource, ShowsWhatIsKnown) {
   EXPECT_EQ(resource["state"], "failed");
   EXPECT_EQ(resource["finished_at"], "2026-01-31T12:00:02.500Z");
   EXPECT_EQ(resource["error"]["type"], "/problems/infeasible");
+  EXPECT_EQ(resource["tags"], nlohmann::ordered_json::array({"x"}));
+  EXPECT_EQ(resource["callback"].dump(), R"({"url":"http://a/b","attempts":3,"delivered_at":null,)"
+                                         R"("next_at":"2026-01-31T12:00:01.000Z","error":"answered 500"})");
 }
 
 TEST(JobState, NamesReadBack) {

@@ -30,7 +30,8 @@ std::vector<std::string> seeds() {
 bool accepted(const std::string& body) {
   try {
     const auto request = parse_job(body);
-    EXPECT_EQ(request.document, body);
+    // The secret of a callback is taken out once.
+    EXPECT_EQ(request.document, request.callback ? parse_job(request.document).document : body);
     EXPECT_NO_THROW(job_spec(request.document));
     return true;
   } catch (const Problem& problem) {

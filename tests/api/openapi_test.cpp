@@ -29,6 +29,7 @@ TEST(OpenApi, ListsExactlyTheRoutes) {
                                        "DELETE /v1/jobs",
                                        "POST /v1/jobs/cancel",
                                        "GET /v1/changes",
+                                       "GET /v1/events",
                                        "GET /v1/jobs/{id}",
                                        "DELETE /v1/jobs/{id}",
                                        "GET /v1/jobs/{id}/spec",

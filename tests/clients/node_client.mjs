@@ -1,12 +1,12 @@
 // Called by node.sh with URL, PROXY, EXAMPLES and WORK in the environment.
 import assert from 'node:assert/strict';
-import { randomUUID } from 'node:crypto';
+import { createHmac, randomUUID } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import test from 'node:test';
 
 const { URL: url, PROXY: proxy, EXAMPLES: examples, WORK: work } = process.env;
-const { Client, JobFailed, Problem, readEvents } = await import(`${examples}/clients/node/bahnwerk.mjs`);
+const { calledJob, Client, JobFailed, Problem, readEvents } = await import(`${examples}/clients/node/bahnwerk.mjs`);
 const line = JSON.parse(readFileSync(`${examples}/line.json`, 'utf8'));
 const text = (name) => readFileSync(`${work}/${name}.json`, 'utf8');
 const client = new Client(`${url}/`);
@@ -130,4 +130,12 @@ test('gives columns', async () => {
   assert.deepEqual(Object.keys(part), ['vx', 'x']);
   assert.deepEqual([...part.x], [10, 12, 14, 16].map((row) => rows.x[row]));
   assert.equal((await failure(client.rows(job.id, { columns: ['nonsense'] }))).status, 422);
+});
+
+test('checks who calls', () => {
+  const body = '{"id": "x"}', now = Math.floor(Date.now() / 1000);
+  const signed = (t, text = body, secret = 's') => `t=${t},v1=${createHmac('sha256', secret).update(`${t}.${text}`).digest('hex')}`;
+  assert.deepEqual(calledJob(signed(now), body, 's'), { id: 'x' });
+  for (const wrong of [signed(now, body, 'r'), signed(now, '{}'), signed(now - 1000), '', undefined, 't=1', 'v1=00'])
+    assert.throws(() => calledJob(wrong, body, 's'));
 });

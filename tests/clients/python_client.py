@@ -1,5 +1,7 @@
 """python_client.py URL PROXY EXAMPLES WORK [test…]: called by python.sh."""
 import email.utils
+import hashlib
+import hmac
 import http.server
 import json
 import os
@@ -165,6 +167,16 @@ class RowsTest(unittest.TestCase):
         with self.assertRaises(Problem) as caught:
             client.rows(job["id"], columns=["nonsense"])
         self.assertEqual(caught.exception.status, 422)
+
+    def test_checks_who_calls(self):
+        def signed(t, body=b'{"id": "x"}', secret=b"s"):
+            return "t=%d,v1=%s" % (t, hmac.new(secret, b"%d." % t + body, hashlib.sha256).hexdigest())
+
+        now = int(time.time())
+        self.assertEqual(bahnwerk.called_job(signed(now), b'{"id": "x"}', "s"), {"id": "x"})
+        for wrong in (signed(now, secret=b"r"), signed(now, b"{}"), signed(now - 1000), "", None, "t=1", "v1=00"):
+            with self.assertRaises(ValueError):
+                bahnwerk.called_job(wrong, b'{"id": "x"}', "s")
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "core/base/errors.hpp"
-#include "server/cli/http_client.hpp"
+#include "server/http/http_client.hpp"
 #include "server/runtime/clock.hpp"
 #include "service_fixture.hpp"
 
@@ -94,7 +94,7 @@ TEST_F(ServiceTest, DrainsUnderLoad) {
           const int status = post(R"({"rows":100})").status;
           ++(status == 202 ? accepted : refused);
           EXPECT_TRUE(status == 202 || status == 503) << status;
-        } catch (const cli::Unreachable&) {
+        } catch (const Unreachable&) {
           return;
         }
       }
@@ -103,7 +103,7 @@ TEST_F(ServiceTest, DrainsUnderLoad) {
     try {
       get("/v1/jobs/" + forever + "?", {{"Prefer", "wait=60"}});
       while (!stop) get("/v1/jobs/" + forever, {{"Prefer", "wait=60"}});
-    } catch (const cli::Unreachable&) {
+    } catch (const Unreachable&) {
     }
   });
   EXPECT_TRUE(soon([&] { return accepted >= 8; }));
@@ -163,7 +163,7 @@ TEST_F(ServiceTest, StandsManyClientsAtOnce) {
           default:
             try {
               status = get("/v1/jobs/" + id + "/setpoints", {{"Accept", "text/csv"}}).status;
-            } catch (const cli::Unreachable&) {  // deleted by its own client meanwhile: the answer breaks off
+            } catch (const Unreachable&) {  // deleted by its own client meanwhile: the answer breaks off
             }
         }
         EXPECT_LT(status, 500);
@@ -194,7 +194,7 @@ TEST_F(ServiceTest, EndsInTimeWhateverItIsDoing) {
     try {
       HttpClient("http://" + service->address())
           .request("POST", "/v1/jobs", {{"Content-Type", "application/json"}}, R"({"slow":true})");
-    } catch (const cli::Unreachable&) {
+    } catch (const Unreachable&) {
     }
   });
   EXPECT_TRUE(soon([&] { return checking.load(); }));

@@ -7,14 +7,13 @@
 
 #include "api/problem.hpp"
 #include "manual_time.hpp"
-#include "server/cli/http_client.hpp"
+#include "server/http/http_client.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/service.hpp"
 #include "store/fixture.hpp"
 
 namespace bahnwerk::server {
 
-using cli::HttpClient;
 using nlohmann::json;
 using namespace std::chrono_literals;
 

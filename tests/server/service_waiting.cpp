@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "api/problem.hpp"
-#include "server/cli/http_client.hpp"
+#include "server/http/http_client.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/service.hpp"
 #include "service_fixture.hpp"

@@ -6,11 +6,12 @@
 //   await client.wait(job.id, { onProgress: console.log }); // throws JobFailed unless it succeeded
 //   const result = await client.result(job.id);
 //   const rows = await client.rows(job.id, { columns: ['x', 'y'] }); // rows.x: a Float64Array
+//   const ended = calledJob(headers['bahnwerk-signature'], body, secret); // in a receiver of callbacks
 //
 // As a program: node bahnwerk.mjs JOB.json [URL] plans a document and prints its result document.
 //
 // Units are those of the service: mm, s, deg. Every fault that the service reports is a Problem with its document.
-import { randomUUID } from 'node:crypto';
+import { createHmac, randomUUID, timingSafeEqual } from 'node:crypto';
 import { readFile } from 'node:fs/promises';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { pathToFileURL } from 'node:url';
@@ -205,6 +206,20 @@ export class Client {
 const path = (id, rest = '') => `/v1/jobs/${encodeURIComponent(id)}${rest}`;
 
 const textOf = (answer) => new TextDecoder().decode(answer.body);
+
+/**
+ * The job that a callback tells of. `signature`: the header Bahnwerk-Signature; `body`: the text or bytes as they came.
+ * Throws unless it was signed with the secret, at most `tolerance` s ago.
+ */
+export function calledJob(signature, body, secret, { tolerance = 300 } = {}) {
+  const parts = Object.fromEntries((signature ?? '').split(',').map((part) => part.split('=')));
+  const expected = createHmac('sha256', secret).update(`${parts.t}.`).update(body).digest();
+  const given = Buffer.from(parts.v1 ?? '', 'hex');
+  if (given.length !== expected.length || !timingSafeEqual(given, expected))
+    throw new Error('the signature is not that of the secret');
+  if (!(Math.abs(Date.now() / 1000 - Number(parts.t)) <= tolerance)) throw new Error('the call is too old');
+  return JSON.parse(body.toString());
+}
 
 /** Seconds to wait, from either form of Retry-After: a number of seconds or a date; 1 without one. */
 function retryAfter(value) {

@@ -7,6 +7,7 @@
     job = client.wait(job["id"], on_progress=print)     # raises JobFailed unless it succeeded
     result = client.result(job["id"])
     rows = client.rows(job["id"], columns=["x", "y"])   # rows.columns, rows.values: one list (or numpy array) per column
+    job = called_job(headers["Bahnwerk-Signature"], body, secret)   # in a receiver of callbacks
 
 As a program: python3 bahnwerk.py JOB.json [--server URL] plans a document and prints its result document.
 
@@ -15,6 +16,8 @@ Units are those of the service: mm, s, deg. Every fault that the service reports
 import array
 import base64
 import email.utils
+import hashlib
+import hmac
 import http.client
 import json
 import os
@@ -268,6 +271,19 @@ class Client:
         except ValueError:  # not from the service: a proxy's page
             document = {}
         raise Problem(status, document if isinstance(document, dict) else {})
+
+
+def called_job(signature, body, secret, tolerance=300.0):
+    """The job that a callback tells of. `signature`: the header Bahnwerk-Signature; `body`: the bytes as they came.
+    ValueError unless it was signed with the secret, at most `tolerance` s ago."""
+    parts = dict(part.partition("=")[::2] for part in (signature or "").split(","))
+    time_of_call = parts.get("t", "")
+    expected = hmac.new(secret.encode(), time_of_call.encode() + b"." + body, hashlib.sha256).hexdigest()
+    if not hmac.compare_digest(parts.get("v1", "").encode(), expected.encode()):
+        raise ValueError("the signature is not that of the secret")
+    if abs(time.time() - int(time_of_call)) > tolerance:
+        raise ValueError("the call is too old")
+    return json.loads(body)
 
 
 def retry_after(value):

@@ -48,6 +48,7 @@ std::int64_t SqliteStore::spare_pages(SqliteConnection& connection) const {
 
 std::vector<std::string> SqliteStore::too_old(SqliteConnection& connection, std::int64_t now, std::size_t most) const {
   const Retention& keep = options_.retention;
+  if (!keep.time && !keep.jobs && !keep.bytes) return {};
   std::int64_t more = 0;  // ended jobs beyond the limits of number and bytes, as far as is known
   if (keep.jobs) {
     more =
@@ -59,8 +60,9 @@ std::vector<std::string> SqliteStore::too_old(SqliteConnection& connection, std:
     if (used * page_size > *keep.bytes) more = std::max<std::int64_t>(more, 1);  // one: the next look measures again
   }
   std::vector<std::string> ids;
-  Query rows =
-      connection.query("SELECT id, finished_at FROM jobs WHERE finished_at IS NOT NULL ORDER BY finished_at LIMIT ?");
+  Query rows = connection.query(
+      "SELECT id, finished_at FROM jobs WHERE finished_at IS NOT NULL AND callback_due IS NULL "
+      "ORDER BY finished_at LIMIT ?");
   rows << static_cast<std::int64_t>(most);
   while (rows.step()) {
     const bool late = keep.time && rows.integer(1) <= now - *keep.time;

@@ -112,8 +112,10 @@ std::vector<std::string> inspect(const std::string& url) {
       "SELECT count(*) FROM results WHERE row_count <> (SELECT coalesce(sum(chunks.row_count), 0) FROM chunks "
       "WHERE chunks.seq = results.seq) AND columns IS NOT NULL",
       "results whose setpoints are not complete");
-  none("SELECT count(*) FROM job_counts WHERE jobs <> (SELECT count(*) FROM jobs WHERE jobs.state = job_counts.state)",
-       "states whose jobs are counted wrongly");
+  none(
+      "SELECT count(*) FROM job_counts WHERE jobs <> (SELECT count(*) FROM jobs WHERE jobs.state = job_counts.state "
+      "AND coalesce(jobs.owner, '') = job_counts.owner)",
+      "states whose jobs are counted wrongly");
   connection.execute("COMMIT");
   return faults;
 }

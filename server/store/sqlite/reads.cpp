@@ -11,8 +11,8 @@
 namespace bahnwerk::server {
 std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_document) {
   static const std::string light = std::string("SELECT ") + job_columns + " FROM jobs WHERE id = ?";
-  static const std::string whole =
-      std::string("SELECT ") + job_columns + ", spec, whole FROM jobs JOIN specs USING (seq) WHERE id = ?";
+  static const std::string whole = std::string("SELECT ") + job_columns +
+                                   ", spec, whole, callback_secret FROM jobs JOIN specs USING (seq) WHERE id = ?";
   const std::uint64_t commits =
       writer_.commits();  // number before the look, so that a change during it counts as later
   Reader reader(*this);
@@ -20,13 +20,15 @@ std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_docume
   row << id;
   if (!row.step()) return std::nullopt;
   api::Job job = job_from_row(row);
-  if (with_document)
-    job.request.document = unpacking([&] {
-      return unpack_document(job.request.kind, row.bytes(job_seq_column + 1),
-                             row.integer(job_seq_column + 2) != spec_alone);
-    });
-  else
+  if (!with_document) {
     cache_.put(commits, job);
+    return job;
+  }
+  job.request.document = unpacking([&] {
+    return unpack_document(job.request.kind, row.bytes(job_seq_column + 1),
+                           row.integer(job_seq_column + 2) != spec_alone);
+  });
+  if (job.request.callback) job.request.callback->secret = row.optional_text(job_seq_column + 3);
   return job;
 }
 
@@ -42,47 +44,6 @@ std::uint64_t SqliteStore::last_change() {
   return server::last_change(reader.connection());
 }
 
-std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
-  std::string sql = std::string("SELECT ") + job_columns + " FROM jobs WHERE true";
-  if (filter.state) sql += " AND state = ?";
-  if (filter.kind) sql += " AND kind = ?";
-  if (filter.reference) sql += " AND reference = ?";
-  if (filter.owner) sql += " AND owner = ?";
-  // Ids are in the order of time, so that one index serves times and pages.
-  std::string before = filter.before;
-  if (filter.created_before) {
-    const std::string time = first_id(*filter.created_before);
-    before = before.empty() ? time : std::min(before, time);
-  }
-  if (!before.empty()) sql += " AND id < ?";
-  if (filter.created_after) sql += " AND id >= ?";
-  sql += " ORDER BY id DESC LIMIT ?";
-  Reader reader(*this);
-  Query rows = reader.query(sql);
-  if (filter.state) rows << api::to_string(*filter.state);
-  if (filter.kind) rows << *filter.kind;
-  if (filter.reference) rows << *filter.reference;
-  if (filter.owner) rows << *filter.owner;
-  if (!before.empty()) rows << before;
-  if (filter.created_after) rows << first_id(*filter.created_after);
-  rows << static_cast<std::int64_t>(filter.limit);
-  std::vector<api::Job> jobs;
-  while (rows.step()) jobs.push_back(job_from_row(rows));
-  return jobs;
-}
-
-std::map<api::JobState, std::size_t> SqliteStore::counts() {
-  std::map<api::JobState, std::size_t> counts;
-  for (const auto state : {api::JobState::queued, api::JobState::running, api::JobState::succeeded,
-                           api::JobState::failed, api::JobState::cancelled})
-    counts[state] = 0;
-  Reader reader(*this);
-  Query rows = reader.query("SELECT state, jobs FROM job_counts");
-  while (rows.step())
-    if (const auto state = api::job_state(rows.text(0))) counts[*state] = static_cast<std::size_t>(rows.integer(1));
-  return counts;
-}
-
 StoreStatus SqliteStore::status() {
   StoreStatus status;
   const auto size = [](const std::string& path) {
@@ -94,8 +55,13 @@ StoreStatus SqliteStore::status() {
   status.log_bytes = size(options_.path + "-wal");
   status.free_bytes = static_cast<double>(reserve_.free_space());
   Reader reader(*this);
-  Query oldest = reader.query("SELECT created_at FROM jobs WHERE state = 'queued' ORDER BY id LIMIT 1");
-  if (oldest.step()) status.oldest_queued = oldest.integer(0);
+  Query oldest = reader.query(
+      "SELECT min((SELECT created_at FROM jobs WHERE owner IS nullif(job_counts.owner, '') AND state = 'queued' "
+      "ORDER BY id LIMIT 1)) FROM job_counts WHERE state = 'queued' AND jobs > 0");
+  if (oldest.step()) status.oldest_queued = oldest.optional_integer(0);
+  Query callbacks = reader.query("SELECT count(*) FROM jobs INDEXED BY jobs_callback WHERE callback_due IS NOT NULL");
+  callbacks.step();
+  status.callbacks = static_cast<std::size_t>(callbacks.integer(0));
   return status;
 }
 

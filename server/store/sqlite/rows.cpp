@@ -1,5 +1,7 @@
 #include "server/store/sqlite/rows.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "server/store/codec.hpp"
 #include "server/store/store.hpp"
 
@@ -11,7 +13,7 @@ api::Job job_from_row(const Query& row) {
   job.request.kind = row.text(1);
   job.request.name = row.optional_text(2);
   job.request.reference = row.optional_text(3);
-  job.request.callback = row.optional_text(4);
+  if (!row.null(4)) job.request.callback = api::Callback{row.text(4)};
   job.request.priority = static_cast<int>(row.integer(5));
   job.request.deadline = row.optional_integer(6);
   if (!row.null(7)) job.request.time_budget = row.number(7);
@@ -28,6 +30,9 @@ api::Job job_from_row(const Query& row) {
   job.error = row.optional_text(16);
   job.revision = static_cast<std::uint64_t>(row.integer(17));
   job.owner = row.optional_text(18);
+  job.delivery = {static_cast<int>(row.integer(19)), row.optional_integer(21), row.optional_integer(20),
+                  row.optional_text(22)};
+  if (!row.null(23)) job.request.tags = nlohmann::json::parse(row.text(23)).get<std::vector<std::string>>();
   if (job.state != api::JobState::running) job.state_revision = job.revision;
   return job;
 }

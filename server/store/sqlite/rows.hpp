@@ -11,8 +11,9 @@ namespace bahnwerk::server {
 /// The columns that job_from_row expects, from column 0 on.
 inline constexpr const char* job_columns =
     "id, kind, name, reference, callback, priority, deadline, time_budget, state, fraction, stage, message, attempt, "
-    "created_at, started_at, finished_at, error, revision, owner, seq";
-inline constexpr int job_seq_column = 19;
+    "created_at, started_at, finished_at, error, revision, owner, callback_attempts, callback_due, callback_delivered, "
+    "callback_error, tags, seq";
+inline constexpr int job_seq_column = 24;
 
 api::Job job_from_row(const Query& row);  ///< returns the job without its document
 

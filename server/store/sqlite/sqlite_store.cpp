@@ -1,6 +1,7 @@
 #include "server/store/sqlite/sqlite_store.hpp"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "server/runtime/clock.hpp"
 #include "server/store/codec.hpp"
@@ -15,10 +16,9 @@ namespace {
 /// Returns which of its owner's quotas refuses a job, if any.
 std::optional<Inserted::What> over_quota(SqliteConnection& connection, const NewJob& job) {
   if (job.owner && job.max_owned) {
-    Query queued =
-        connection.query("SELECT count(*) FROM (SELECT 1 FROM jobs WHERE state = 'queued' AND owner = ? LIMIT ?)");
-    queued << *job.owner << *job.max_owned;
-    if (queued.one_int() >= *job.max_owned) return Inserted::What::owner_full;
+    Query queued = connection.query("SELECT jobs FROM job_counts WHERE state = 'queued' AND owner = ?");
+    queued << *job.owner;
+    if (queued.step() && queued.integer(0) >= *job.max_owned) return Inserted::What::owner_full;
   }
   if (job.owner && job.max_planning_ms) {
     Query spent = connection.query("SELECT ms FROM planning_use WHERE owner = ? AND day = ?");
@@ -106,7 +106,7 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
       return {Inserted::What::replayed, known.text(0)};
     }
   }
-  Query waiting = connection.query("SELECT jobs FROM job_counts WHERE state = 'queued'");
+  Query waiting = connection.query("SELECT sum(jobs) FROM job_counts WHERE state = 'queued'");
   if (static_cast<std::size_t>(waiting.one_int()) >= job.max_queued) return {Inserted::What::full, ""};
   if (const auto refused = over_quota(connection, job)) return {*refused, ""};
 
@@ -114,10 +114,13 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
   const api::JobRequest& r = job.request;
   Query insert = connection.query(
       "INSERT INTO jobs (id, kind, name, reference, callback, priority, deadline, time_budget, state, created_at, "
-      "changed, owner, turn) VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'queued', ?, ?, ?, ?) RETURNING seq");
+      "changed, owner, turn, callback_secret, callback_receiver, tags) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'queued', ?, ?, ?, ?, ?, ?, ?) RETURNING seq");
   const std::int64_t change = changes_.next();
-  insert << id << r.kind << r.name << r.reference << r.callback << std::int64_t{r.priority} << r.deadline
-         << r.time_budget << job.now << change << job.owner << next_turn(connection, job);
+  insert << id << r.kind << r.name << r.reference << (r.callback ? std::optional(r.callback->url) : std::nullopt)
+         << std::int64_t{r.priority} << r.deadline << r.time_budget << job.now << change << job.owner
+         << next_turn(connection, job) << (r.callback ? r.callback->secret : std::nullopt) << job.callback_receiver
+         << (r.tags.empty() ? std::nullopt : std::optional(nlohmann::json(r.tags).dump()));
   insert.step();
   const std::int64_t seq = insert.integer(0);
   insert.step();

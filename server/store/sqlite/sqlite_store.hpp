@@ -44,7 +44,8 @@ class SqliteStore final : public Store {
   std::optional<api::Job> at_hand(const std::string& id) override;
   std::optional<api::Job> get(const std::string& id, bool with_document) override;
   std::vector<api::Job> list(const JobFilter& filter) override;
-  std::map<api::JobState, std::size_t> counts() override;
+  std::vector<std::string> queue(std::size_t limit) override;
+  std::map<api::JobState, std::size_t> counts(const std::optional<std::string>& owner) override;
   StoreStatus status() override;
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
@@ -55,6 +56,9 @@ class SqliteStore final : public Store {
                std::uint64_t revision, Progress& progress) override;
   bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) override;
   Expired expire(std::int64_t now) override;
+  std::vector<std::pair<std::string, std::int64_t>> callback_receivers() override;
+  std::vector<DueCallback> due_callbacks(const std::string& receiver, std::int64_t now, std::size_t limit) override;
+  void called_back(const CallbackAttempt& attempt) override;
   std::optional<api::Job> cancel(const std::string& id, std::int64_t now) override;
   bool cancel_requested(const std::string& id) override;
   Removed remove(const std::string& id) override;

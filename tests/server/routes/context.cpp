@@ -69,8 +69,23 @@ TEST(Context, AJobThatHasEndedIsFinalAndItsTagIsItsRevision) {
   }
   job.revision = 42;
   EXPECT_EQ(job_etag(job), "\"42\"");
-  EXPECT_EQ(job_answer(202, Request(), job).header("ETag"), "\"42\"");
-  EXPECT_EQ(job_answer(202, Request(), job).status, 202);
+}
+
+TEST(Context, TheTimeThatRemainsGrowsWithTheTimeSoFarAndIsUnknownAtTheBegin) {
+  api::Job job;
+  job.state = api::JobState::running;
+  job.started_at = 1000;
+  job.fraction = 0.01;
+  EXPECT_FALSE(remaining_seconds(job, 5000));
+  job.fraction = 0.25;
+  EXPECT_DOUBLE_EQ(remaining_seconds(job, 5000).value(), 12);
+  EXPECT_DOUBLE_EQ(remaining_seconds(job, 500).value(), 0);
+  job.fraction = 1;
+  EXPECT_DOUBLE_EQ(remaining_seconds(job, 5000).value(), 0);
+  for (const auto state : {api::JobState::queued, api::JobState::succeeded}) {
+    job.state = state;
+    EXPECT_FALSE(remaining_seconds(job, 5000));
+  }
 }
 
 }  // namespace

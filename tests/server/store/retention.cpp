@@ -71,7 +71,7 @@ TEST_F(RetentionTest, ByNumberTheLatestEndsStay) {
   const auto all = ids();
   EXPECT_EQ(settle(2000), 197U);
   EXPECT_EQ(ids(), (std::vector<std::string>(all.end() - 3, all.end())));
-  EXPECT_EQ(store->counts()[api::JobState::succeeded], 3U);
+  EXPECT_EQ(store->counts(std::nullopt)[api::JobState::succeeded], 3U);
 }
 
 TEST_F(RetentionTest, ByBytesTheFileShrinks) {

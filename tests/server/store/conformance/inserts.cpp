@@ -14,7 +14,9 @@ TYPED_TEST(Inserts, KeepsEverythingOfAJob) {
   NewJob job = new_job(7);
   job.request.name = "name \"quoted\"";
   job.request.reference = "WO-1";
-  job.request.callback = "http://x/y";
+  job.request.callback = api::Callback{"http://x/y", "secret"};
+  job.callback_receiver = "http://x:80";
+  job.request.tags = {"b", "a"};
   job.request.deadline = 1'800'000'000'000;
   job.request.time_budget = 2.5;
   job.request.document = "{\"text\":\"" + std::string(100'000, 'a') + "\"}";
@@ -25,6 +27,7 @@ TYPED_TEST(Inserts, KeepsEverythingOfAJob) {
     EXPECT_EQ(kept->request.name, job.request.name);
     EXPECT_EQ(kept->request.reference, job.request.reference);
     EXPECT_EQ(kept->request.callback, job.request.callback);
+    EXPECT_EQ(kept->request.tags, job.request.tags);
     EXPECT_EQ(kept->request.priority, 7);
     EXPECT_EQ(kept->request.deadline, job.request.deadline);
     EXPECT_EQ(kept->request.time_budget, job.request.time_budget);

@@ -1,8 +1,8 @@
-#include "server/cli/http_client.hpp"
+#include "server/http/http_client.hpp"
 
 #include <gtest/gtest.h>
 
-namespace bahnwerk::server::cli {
+namespace bahnwerk::server {
 namespace {
 
 TEST(HttpClient, TakesServers) {
@@ -25,4 +25,4 @@ TEST(HttpClient, SaysWhenNobodyAnswers) {
 }
 
 }  // namespace
-}  // namespace bahnwerk::server::cli
+}  // namespace bahnwerk::server

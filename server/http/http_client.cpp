@@ -1,5 +1,6 @@
-#include "server/cli/http_client.hpp"
+#include "server/http/http_client.hpp"
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
@@ -10,10 +11,11 @@
 #include <boost/beast/http.hpp>
 #include <boost/url/parse.hpp>
 #include <boost/url/url_view.hpp>
+#include <vector>
 
 #include "api/text/base64.hpp"
 
-namespace bahnwerk::server::cli {
+namespace bahnwerk::server {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
@@ -24,18 +26,6 @@ constexpr std::chrono::seconds connect_patience{10};
 constexpr std::chrono::seconds silence_patience{90};  ///< patience beyond the longest wait that a server grants
 
 using Plain = beast::basic_stream<asio::generic::stream_protocol>;
-
-/// Runs one asynchronous operation to its end under the stream's timeout, because synchronous calls have none.
-template <class Stream, class Start>
-beast::error_code finish(Stream& stream, std::chrono::seconds patience, Start&& start) {
-  beast::error_code result;
-  stream.expires_after(patience);
-  start([&result](beast::error_code error, auto&&...) { result = error; });
-  auto& io = static_cast<asio::io_context&>(stream.get_executor().context());
-  io.restart();
-  io.run();
-  return result;
-}
 
 struct Check {
   const std::string& url;
@@ -70,8 +60,36 @@ asio::ssl::context tls_context(const Credentials& credentials) {
 
 }  // namespace
 
-HttpClient::HttpClient(std::string url, Credentials credentials)
-    : credentials_(std::move(credentials)), url_(std::move(url)) {
+/// Runs asynchronous operations to their ends, because synchronous calls have no timeout.
+class HttpClient::Clock {
+ public:
+  explicit Clock(const RequestLimits& limits) : limits_(limits) {}
+
+  template <class Stream, class Start>
+  beast::error_code finish(Stream& stream, std::chrono::seconds patience, Start&& start) const {
+    constexpr std::chrono::milliseconds between_questions{100};
+    beast::error_code result;
+    const auto until = std::chrono::steady_clock::now() + patience;
+    stream.expires_at(limits_.time.count() > 0 ? std::min(until, begin_ + limits_.time) : until);
+    start([&result](beast::error_code error, auto&&...) { result = error; });
+    auto& io = static_cast<asio::io_context&>(stream.get_executor().context());
+    io.restart();
+    if (limits_.stop)
+      for (bool stopped = false; !io.stopped();) {
+        io.run_for(between_questions);
+        if (!stopped && !io.stopped() && limits_.stop()) stream.cancel(), stopped = true;
+      }
+    io.run();
+    return result;
+  }
+
+ private:
+  const RequestLimits& limits_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+HttpClient::HttpClient(std::string url, Credentials credentials, RequestLimits limits)
+    : credentials_(std::move(credentials)), limits_(std::move(limits)), url_(std::move(url)) {
   if (!credentials_.key.empty()) authorization_ = "Bearer " + credentials_.key;
   if (url_.starts_with("unix:") && url_.size() > 5) {
     socket_path_ = url_.substr(5);
@@ -98,6 +116,7 @@ Response HttpClient::request(const std::string& method, const std::string& targe
   asio::io_context io;
   beast::error_code error;
   const Check check{url_, false};
+  const Clock clock(limits_);
   std::optional<Plain> plain;
   if (!socket_path_.empty()) {
     asio::local::stream_protocol::socket socket(io);
@@ -108,24 +127,30 @@ Response HttpClient::request(const std::string& method, const std::string& targe
     beast::tcp_stream stream(io);
     const auto found = asio::ip::tcp::resolver(io).resolve(host_, port_, error);
     check(error, "name lookup");
-    check(finish(stream, connect_patience, [&](auto done) { stream.async_connect(found, done); }), "connect");
+    std::vector<asio::ip::tcp::endpoint> places;
+    for (const auto& each : found)
+      if (!limits_.may_connect || limits_.may_connect(each.endpoint().address().to_string()))
+        places.push_back(each.endpoint());
+    if (places.empty()) error = asio::error::access_denied;
+    check(error, "its address may not be connected to");
+    check(clock.finish(stream, connect_patience, [&](auto done) { stream.async_connect(places, done); }), "connect");
     plain.emplace(stream.release_socket());
   }
-  if (!tls_) return exchange(*plain, *plain, method, target, headers, body, sink);
+  if (!tls_) return exchange(clock, *plain, *plain, method, target, headers, body, sink);
   auto context = tls_context(credentials_);
   asio::ssl::stream<Plain&> secure(*plain, context);
   asio::ip::make_address(host_, error);
   if (error) SSL_set_tlsext_host_name(secure.native_handle(), host_.c_str());  // an address has no place there
   secure.set_verify_callback(asio::ssl::host_name_verification(host_));
-  const auto shaken = finish(*plain, connect_patience,
-                             [&](auto done) { secure.async_handshake(asio::ssl::stream_base::client, done); });
+  const auto shaken = clock.finish(*plain, connect_patience,
+                                   [&](auto done) { secure.async_handshake(asio::ssl::stream_base::client, done); });
   check(shaken, "TLS");
-  return exchange(secure, *plain, method, target, headers, body, sink);
+  return exchange(clock, secure, *plain, method, target, headers, body, sink);
 }
 
 template <class Stream, class Lowest>
-Response HttpClient::exchange(Stream& stream, Lowest& plain, const std::string& method, const std::string& target,
-                              const Pairs& headers, const std::string& body,
+Response HttpClient::exchange(const Clock& clock, Stream& stream, Lowest& plain, const std::string& method,
+                              const std::string& target, const Pairs& headers, const std::string& body,
                               const std::function<void(std::string_view)>& sink) const {
   const Check check{url_, true};
   http::request<http::string_body> message(http::string_to_verb(method), prefix_ + target, 11);
@@ -136,24 +161,25 @@ Response HttpClient::exchange(Stream& stream, Lowest& plain, const std::string& 
   for (const auto& [name, value] : headers) message.set(name, value);
   message.body() = body;
   if (method == "POST" || !body.empty()) message.content_length(body.size());
-  const auto sent = finish(plain, silence_patience, [&](auto done) { http::async_write(stream, message, done); });
+  const auto sent = clock.finish(plain, silence_patience, [&](auto done) { http::async_write(stream, message, done); });
   // A server that refuses a large body may close its side early; its answer is still worth reading.
   if (sent && sent != asio::error::broken_pipe && sent != asio::error::connection_reset) check(sent, "send");
 
   beast::flat_buffer buffer;
   http::response_parser<http::buffer_body> parser;
   parser.body_limit(boost::none);
-  check(finish(plain, silence_patience, [&](auto done) { http::async_read_header(stream, buffer, parser, done); }),
-        "read");
+  check(
+      clock.finish(plain, silence_patience, [&](auto done) { http::async_read_header(stream, buffer, parser, done); }),
+      "read");
   Response response;
   response.status = static_cast<int>(parser.get().result_int());
   for (const auto& field : parser.get()) response.headers.emplace_back(field.name_string(), field.value());
   std::array<char, 64 << 10> piece;
-  while (!parser.is_done()) {
+  while (!parser.is_done() && (limits_.answer == 0 || response.body.size() < limits_.answer)) {
     parser.get().body().data = piece.data();
     parser.get().body().size = piece.size();
     auto read =
-        finish(plain, silence_patience, [&](auto done) { http::async_read_some(stream, buffer, parser, done); });
+        clock.finish(plain, silence_patience, [&](auto done) { http::async_read_some(stream, buffer, parser, done); });
     if (read == http::error::need_buffer) read = {};
     check(read, "the answer broke off");
     const std::string_view text(piece.data(), piece.size() - parser.get().body().size);
@@ -166,4 +192,4 @@ Response HttpClient::exchange(Stream& stream, Lowest& plain, const std::string& 
   return response;
 }
 
-}  // namespace bahnwerk::server::cli
+}  // namespace bahnwerk::server

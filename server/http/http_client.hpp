@@ -1,12 +1,13 @@
 #pragma once
-/// A small blocking HTTP/1.1 client for the terminal commands.
+/// A small blocking HTTP/1.1 client, for the terminal commands and for callbacks. It follows no redirects.
+#include <chrono>
 #include <functional>
 #include <stdexcept>
 #include <string>
 
 #include "server/http/message.hpp"
 
-namespace bahnwerk::server::cli {
+namespace bahnwerk::server {
 
 /// Thrown where no server answered or the connection broke; the text is a sentence for the user. `connected`: the
 /// server was there, and may have acted on the request.
@@ -22,10 +23,18 @@ struct Credentials {
   std::string certificate, certificate_key;  ///< the client's own
 };
 
+/// What bounds a request to a server that nobody trusts.
+struct RequestLimits {
+  std::chrono::milliseconds time{0};  ///< of the whole request but for the name lookup; 0: no limit
+  std::size_t answer = 0;             ///< bytes of the answer that are read; 0: no limit
+  std::function<bool(const std::string& address)> may_connect = {};  ///< whether an IP address may be connected to
+  std::function<bool()> stop = {};  ///< asked every 100 ms; true ends the request as Unreachable
+};
+
 class HttpClient {
  public:
   /// `url`: http[s]://[USER:PASSWORD@]HOST[:PORT][/PREFIX] or unix:PATH; throws std::invalid_argument.
-  explicit HttpClient(std::string url, Credentials credentials = {});
+  explicit HttpClient(std::string url, Credentials credentials = {}, RequestLimits limits = {});
 
   /// Sends one request on its own connection. The body of a 2xx answer is passed piece by piece to `sink`, if there is
   /// one.
@@ -33,14 +42,16 @@ class HttpClient {
                    const std::string& body = {}, const std::function<void(std::string_view)>& sink = nullptr) const;
 
  private:
+  class Clock;
   template <class Stream, class Lowest>
-  Response exchange(Stream& stream, Lowest& plain, const std::string& method, const std::string& target,
-                    const Pairs& headers, const std::string& body,
+  Response exchange(const Clock& clock, Stream& stream, Lowest& plain, const std::string& method,
+                    const std::string& target, const Pairs& headers, const std::string& body,
                     const std::function<void(std::string_view)>& sink) const;
   const Credentials credentials_;
+  const RequestLimits limits_;
   bool tls_ = false;
   std::string socket_path_;  ///< path of a Unix socket; empty: host and port
   std::string url_, host_, port_, prefix_, authorization_;
 };
 
-}  // namespace bahnwerk::server::cli
+}  // namespace bahnwerk::server

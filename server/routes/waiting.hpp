@@ -1,0 +1,38 @@
+#pragma once
+#include "server/routes/context.hpp"
+
+namespace bahnwerk::server {
+
+/// A request for many jobs that waits for a change. It looks on a pool, and again whenever any job has changed.
+class AnyJobWait : public std::enable_shared_from_this<AnyJobWait> {
+ public:
+  /// Returns the answer if there is something new, or, at the end of the time, in any case (`last`).
+  using Look = std::function<std::optional<Response>(bool last)>;
+  /// `again`, if given, is the longest time between two looks: what changes beside states is seen then.
+  AnyJobWait(Context& context, Pool& pool, RequestPtr request, Reply reply, int seconds, Look look,
+             std::optional<std::chrono::milliseconds> again = std::nullopt)
+      : context_(context),
+        pool_(pool),
+        request_(std::move(request)),
+        reply_(std::move(reply)),
+        wait_(seconds),
+        look_(std::move(look)),
+        again_(again),
+        until_(context.time.now() + std::chrono::seconds(seconds)) {}
+  void look();  ///< to be called on the pool
+
+ private:
+  Context& context_;
+  Pool& pool_;
+  const RequestPtr request_;
+  const Reply reply_;
+  const int wait_;
+  const Look look_;
+  const std::optional<std::chrono::milliseconds> again_;
+  const Notifier::Clock::time_point until_;
+  bool listening_ = false;  ///< whether the connection knows that this one waits
+  std::atomic<bool> finished_{false};
+  std::atomic<Notifier::Token> token_{0};
+};
+
+}  // namespace bahnwerk::server
