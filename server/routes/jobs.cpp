@@ -172,11 +172,24 @@ Response document(Context& context, const Request& request) {
 
 Response remove(Context& context, const Request& request) {
   const std::string& id = request.parameter("id");
-  require_precondition(request, find_job(context, id));
-  switch (context.store.remove(id)) {
+  std::exception_ptr refused;
+  // What is compared is the row that is removed, in the same transaction.
+  const Removed removed = context.store.remove(id, [&](const api::Job& job) {
+    try {
+      require_precondition(request, job);
+      return true;
+    } catch (const api::Problem&) {
+      refused = std::current_exception();
+      return false;
+    }
+  });
+  switch (removed) {
     case Removed::unknown:
       throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
+    case Removed::refused:
+      std::rethrow_exception(refused);
     case Removed::running:
+      require_precondition(request, find_job(context, id));
       throw api::Problem("job-not-finished", "The job is running; cancel it first.");
     case Removed::yes:
       break;

@@ -93,8 +93,10 @@ class Store : public ChangeSource {
   virtual std::optional<api::Job> cancel(const std::string& id, std::int64_t now) = 0;
   virtual bool cancel_requested(const std::string& id) = 0;
   /// Removes the job at once, with a callback that was not delivered, then its rows piece by piece, so that other
-  /// writes proceed in between.
-  virtual Removed remove(const std::string& id) = 0;
+  /// writes proceed in between. A job that is not running is kept where `condition`, called within the transaction with
+  /// the job without its document, is false.
+  virtual Removed remove(const std::string& id, const std::function<bool(const api::Job&)>& condition) = 0;
+  Removed remove(const std::string& id) { return remove(id, {}); }
   /// Act on all jobs that match the filter, in pieces, so that other writes proceed in between; return how many were
   /// cancelled (queued, or running and asked to stop), or removed (running ones are not). `limit` is not used.
   virtual std::size_t cancel_all(const JobFilter& filter, std::int64_t now) = 0;

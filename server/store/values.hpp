@@ -129,7 +129,7 @@ struct Retention {
   std::int64_t spare_bytes = 16 << 20;     ///< free room that the store's file keeps; more is given back to the disk
 };
 
-enum class Removed { yes, running, unknown };
+enum class Removed { yes, running, unknown, refused };  ///< refused: the condition of the call did not hold
 
 /// Result of Store::expire, and the time of the next call that has something to do.
 struct Expired {

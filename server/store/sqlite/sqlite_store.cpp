@@ -175,9 +175,23 @@ SqliteStore::Gone SqliteStore::remove_one(SqliteConnection& connection, const st
   return gone;
 }
 
-Removed SqliteStore::remove(const std::string& id) {
+Removed SqliteStore::remove(const std::string& id, const std::function<bool(const api::Job&)>& condition) {
+  static const std::string light = std::string("SELECT ") + job_columns + " FROM jobs WHERE id = ?";
+  const auto holds = [&](SqliteConnection& connection) {
+    Query row = connection.query(light);
+    row << id;
+    if (!row.step()) return true;
+    const api::Job job = job_from_row(row);
+    return job.state == api::JobState::running || condition(job);
+  };
   Gone gone;
-  writer_.run([&](SqliteConnection& connection) { gone = remove_one(connection, id); });
+  writer_.run([&](SqliteConnection& connection) {
+    gone = {};
+    if (condition && !holds(connection))
+      gone.outcome = Removed::refused;
+    else
+      gone = remove_one(connection, id);
+  });
   try {
     while (gone.outcome == Removed::yes && free_piece(gone.seq)) {
     }

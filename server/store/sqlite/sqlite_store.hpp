@@ -61,7 +61,8 @@ class SqliteStore final : public Store {
   void called_back(const CallbackAttempt& attempt) override;
   std::optional<api::Job> cancel(const std::string& id, std::int64_t now) override;
   bool cancel_requested(const std::string& id) override;
-  Removed remove(const std::string& id) override;
+  using Store::remove;
+  Removed remove(const std::string& id, const std::function<bool(const api::Job&)>& condition) override;
   std::size_t cancel_all(const JobFilter& filter, std::int64_t now) override;
   std::size_t remove_all(const JobFilter& filter) override;
   std::unique_ptr<StoredText> open_document(const std::string& id) override;

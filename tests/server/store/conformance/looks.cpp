@@ -129,5 +129,21 @@ TYPED_TEST(Looks, RemovesWhatDoesNotRun) {
   EXPECT_TRUE(store->list({}).empty());
 }
 
+TYPED_TEST(Looks, RemovesOnlyWhileTheConditionHoldsInTheSameTransaction) {
+  auto& store = this->here;
+  const std::string id = insert_id(*store);
+  const auto revision = store->get(id)->revision;
+  const auto unchanged = [&](const api::Job& job) { return job.id == id && job.revision == revision; };
+  claim(*store, 1);
+  EXPECT_EQ(store->remove(id, unchanged), Removed::running) << "a running job is not asked about";
+  EXPECT_TRUE(store->requeue(id, 1, 2, revision + 5));
+  EXPECT_EQ(store->remove(id, unchanged), Removed::refused);
+  EXPECT_TRUE(store->get(id));
+  EXPECT_EQ(store->remove("unknown", unchanged), Removed::unknown);
+  const auto later = store->get(id)->revision;
+  EXPECT_EQ(store->remove(id, [&](const api::Job& job) { return job.revision == later; }), Removed::yes);
+  EXPECT_FALSE(store->get(id));
+}
+
 }  // namespace
 }  // namespace bahnwerk::server
