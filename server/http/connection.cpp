@@ -104,10 +104,9 @@ void Connection::cut(Cut why) {
   });
 }
 
-void Connection::enter(ConnectionTable::Phase phase) {
+void Connection::enter(ConnectionTable::Phase phase, Time since) {
   reading_ = phase == ConnectionTable::Phase::waiting || phase == ConnectionTable::Phase::body;
-  if (const auto crowded = context_->table.enter(id_, phase, std::chrono::steady_clock::now()))
-    context_->finish(*crowded);
+  if (const auto crowded = context_->table.enter(id_, phase, since)) context_->finish(*crowded);
 }
 
 asio::awaitable<Response> Connection::answer(RequestPtr request) {

@@ -80,7 +80,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void read_until(Time until);  ///< reading is cut at that time
   void stop_clock();
   void stop_reading(Cut why);
-  void enter(ConnectionTable::Phase phase);
+  void enter(ConnectionTable::Phase phase, Time since = std::chrono::steady_clock::now());
 
   ClientStream stream_;
   std::shared_ptr<ConnectionContext> context_;

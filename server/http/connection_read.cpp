@@ -109,8 +109,9 @@ asio::awaitable<error_code> Connection::read_body(Parser& parser, Request& reque
       co_return no_room;
     }
     if (parser.is_done()) co_return error_code();
-    read_until(start + context_->limits.body_timeout + std::chrono::milliseconds(received / bytes_per_ms));
-    enter(ConnectionTable::Phase::body);
+    const std::chrono::milliseconds allowed(received / bytes_per_ms);
+    read_until(start + context_->limits.body_timeout + allowed);
+    enter(ConnectionTable::Phase::body, ConnectionTable::body_since(start, allowed, std::chrono::steady_clock::now()));
     fresh = buffer_.size();  // the begin of a chunk's header, maybe
     const error_code error = co_await read_some();
     if (error) co_return error == asio::error::eof ? error_code(http::error::partial_message) : error;

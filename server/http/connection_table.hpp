@@ -22,14 +22,14 @@ class ConnectionTable {
  public:
   using Id = std::uint64_t;
   using Time = std::chrono::steady_clock::time_point;
-  /// waiting: for the next request, or in the middle of its header; body: in the middle of a body, since its last byte;
+  /// waiting: for the next request, or in the middle of its header; body: in the middle of a body, since body_since();
   /// busy: a request is being answered; listening: its answer waits for something to happen, or is a stream of events.
   enum class Phase { waiting, body, busy, listening };
   struct Rules {
     std::size_t most = 1024;
     std::size_t max_per_address = 512;  ///< 0 = unlimited
     std::size_t spare = 32;
-    std::chrono::milliseconds stalled{5'000};  ///< a body without progress for this long may be closed, too
+    std::chrono::milliseconds stalled{5'000};  ///< a body that waits for this long may be closed, too
   };
   enum class Place { regular, spare, none };
   struct Admission {
@@ -37,6 +37,13 @@ class ConnectionTable {
     Id id = 0;                ///< set unless `place` is none
     std::optional<Id> leave;  ///< connection to close; it does not count any more
   };
+
+  /// Returns since when a body waits: since its last bytes, or, where it came more slowly than it may, since the time
+  /// at which a client that is just fast enough would have sent as much, `allowed` after its begin. So single bytes now
+  /// and then keep no place.
+  static Time body_since(Time begin, std::chrono::milliseconds allowed, Time last) {
+    return allowed < last - begin ? begin + allowed : last;
+  }
 
   explicit ConnectionTable(Rules rules) : rules_(rules) {}
   Admission admit(const std::string& address, Time now);

@@ -153,6 +153,20 @@ one_is_told() {
 soon one_is_told || fail "the one that made room is not told"
 close_silent
 
+# Bodies that trickle stand still, too: a byte now and then keeps no place.
+stop_server || fail "orderly end"
+start_server --workers 0 --max-connections 20 --spare-connections 4 --body-timeout 600 --stall-timeout 1
+for _ in $(seq 20); do half_body; done
+(while :; do
+  for fd in "${silent[@]}"; do printf ' ' >&"$fd" || true; done
+  sleep 0.2
+done) 2>/dev/null &
+trickle=$!
+soon room || fail "a body that trickles makes no room"
+kill "$trickle"
+wait "$trickle" 2>/dev/null || true
+close_silent
+
 # All bodies together have a budget.
 stop_server || fail "orderly end"
 start_server --workers 0 --max-bodies 100000

@@ -79,6 +79,24 @@ TEST_F(ConnectionTableTest, ABodyThatStandsStillMakesRoom) {
   EXPECT_EQ(next.leave, slow);
 }
 
+TEST_F(ConnectionTableTest, ABodyThatTricklesMakesRoomAndAQuickOneDoesNot) {
+  ConnectionTable table({.most = 2, .max_per_address = 0, .spare = 1, .stalled = 100ms});
+  const auto trickling = regular(table), quick = regular(table);
+  const auto begin = now;
+  std::chrono::milliseconds slow{0}, fast{0};  // what the bytes so far allow
+  for (int k = 0; k < 150; ++k) {
+    now += 1ms;
+    if (k % 50 == 0) slow += 1ms;
+    fast += 2ms;
+    table.enter(trickling, Phase::body, ConnectionTable::body_since(begin, slow, now));
+    table.enter(quick, Phase::body, ConnectionTable::body_since(begin, fast, now));
+  }
+  const auto next = admit(table);
+  EXPECT_EQ(next.place, Place::regular);
+  EXPECT_EQ(next.leave, trickling) << "although its last byte came a moment ago";
+  EXPECT_EQ(admit(table).leave, next.id) << "the quick one keeps its place";
+}
+
 TEST_F(ConnectionTableTest, TakesNoEndOfThem) {
   ConnectionTable table({.most = 5, .max_per_address = 0, .spare = 1});
   std::size_t taken = 0;
