@@ -13,7 +13,8 @@ constexpr std::int64_t retry = 1'000;           ///< ms after the store failed
 
 }  // namespace
 
-Deadlines::Deadlines(Store& store, const TimeSource& time) : store_(store), time_(time) {
+Deadlines::Deadlines(Store& store, const TimeSource& time, std::function<void(const Expired&)> looked)
+    : store_(store), time_(time), looked_(std::move(looked)) {
   look();
   thread_ = std::thread([this] { loop(); });
 }
@@ -42,6 +43,7 @@ std::int64_t Deadlines::look() {
       log::info("job_ended", {{"job", id}, {"state", "failed"}, {"problem", "deadline-exceeded"}});
     if (expired.removed > 0) log::info("jobs_removed", {{"jobs", expired.removed}, {"reason", "retention"}});
     for (const std::string& id : expired.lost) log::warn("attempt_lost", {{"job", id}});
+    if (looked_) looked_(expired);
     return expired.next ? std::clamp<std::int64_t>(*expired.next - time_.now_ms(), 0, longest_sleep) : longest_sleep;
   } catch (const StoreError& error) {
     log::error("expire_failed", {{"detail", error.what()}});

@@ -3,6 +3,7 @@
 /// out. One thread sleeps until the next of both, at most ten seconds, since other processes may have added one.
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -13,8 +14,10 @@ namespace bahnwerk::server {
 
 class Deadlines {
  public:
-  /// Ends jobs whose deadline passed while no process served, then starts the thread.
-  explicit Deadlines(Store& store, const TimeSource& time = system_time());
+  /// Ends jobs whose deadline passed while no process served, then starts the thread. `looked` is called after every
+  /// look at the store that succeeded.
+  explicit Deadlines(Store& store, const TimeSource& time = system_time(),
+                     std::function<void(const Expired&)> looked = {});
   ~Deadlines();
   Deadlines(const Deadlines&) = delete;
   Deadlines& operator=(const Deadlines&) = delete;
@@ -27,6 +30,7 @@ class Deadlines {
 
   Store& store_;
   const TimeSource& time_;
+  const std::function<void(const Expired&)> looked_;
   std::mutex mutex_;
   std::condition_variable wake_;
   std::uint64_t notifications_ = 0;

@@ -31,6 +31,7 @@ Response metrics(Context& context) {
   const StoreStatus store = context.store.status();
   const double age = store.oldest_queued ? static_cast<double>(context.time.now_ms() - *store.oldest_queued) * 1e-3 : 0;
   context.metrics.observe({.resident_bytes = static_cast<double>(resident_memory()),
+                           .max_memory_bytes = static_cast<double>(memory_limit()),
                            .descriptors = static_cast<double>(open_descriptors()),
                            .max_descriptors = static_cast<double>(max_descriptors()),
                            .workers = static_cast<double>(context.workers),

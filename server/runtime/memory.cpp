@@ -89,6 +89,12 @@ std::size_t default_memory_limit(std::size_t host) { return std::max(host / 4 * 
 
 std::size_t memory_reserve(std::size_t bytes) { return std::min(bytes / 16, std::size_t{32} << 20); }
 
+std::size_t memory_limit() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return 0;
+  return static_cast<std::size_t>(limit.rlim_max);
+}
+
 bool limit_memory(std::size_t bytes) {
   // A sanitizer has mapped more than any limit: nothing could be allocated below it.
   if (counted_bytes() > bytes) return false;

@@ -20,6 +20,7 @@ std::size_t default_memory_limit(std::size_t host);
 /// throws std::bad_alloc at once; in another thread it opens the reserve, the last memory_reserve(bytes) below the
 /// limit. Returns false if the system refuses.
 bool limit_memory(std::size_t bytes);
+std::size_t memory_limit();                     ///< returns that limit, bytes; 0: none
 std::size_t memory_reserve(std::size_t bytes);  ///< a sixteenth, at most 32 MiB
 
 /// Marks the current thread as one whose work may be given up for lack of memory: a planner, the check of a large

@@ -42,6 +42,16 @@ struct Metrics::State {
     return prometheus::BuildGauge().Name(name).Help(help).Register(registry).Add({});
   }
   prometheus::Gauge& resident = gauge("process_resident_memory_bytes", "Resident memory, bytes");
+  prometheus::Gauge& max_memory =
+      gauge("bahnwerk_max_memory_bytes", "Memory that the process may use, bytes; 0: no limit");
+  prometheus::Gauge& start = gauge("process_start_time_seconds", "Start of the process, s since 1970 UTC");
+  prometheus::Gauge& caught_up = gauge("bahnwerk_retention_caught_up_timestamp_seconds",
+                                       "Last time that no deadline, lease or retention was due, s since 1970 UTC");
+  prometheus::Counter& lost = prometheus::BuildCounter()
+                                  .Name("bahnwerk_attempts_lost_total")
+                                  .Help("Attempts whose worker gave no sign of life any more")
+                                  .Register(registry)
+                                  .Add({});
   prometheus::Gauge& descriptors = gauge("process_open_fds", "Open files and sockets");
   prometheus::Gauge& max_descriptors = gauge("process_max_fds", "Files and sockets that may be open");
   prometheus::Gauge& workers = gauge("bahnwerk_workers", "Planner threads");
@@ -100,8 +110,15 @@ void Metrics::build(const std::string& version, const std::string& commit) {
   state_->builds.Add({{"version", version}, {"commit", commit}}).Set(1);
 }
 
+void Metrics::lost(std::size_t attempts) { state_->lost.Increment(static_cast<double>(attempts)); }
+
+void Metrics::caught_up(std::int64_t now_ms) { state_->caught_up.Set(static_cast<double>(now_ms) * 1e-3); }
+
+void Metrics::started(std::int64_t now_ms) { state_->start.Set(static_cast<double>(now_ms) * 1e-3); }
+
 void Metrics::observe(const Observed& observed) {
   state_->resident.Set(observed.resident_bytes);
+  state_->max_memory.Set(observed.max_memory_bytes);
   state_->descriptors.Set(observed.descriptors);
   state_->max_descriptors.Set(observed.max_descriptors);
   state_->workers.Set(observed.workers);

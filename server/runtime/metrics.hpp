@@ -1,5 +1,7 @@
 #pragma once
 /// Counters of the service in Prometheus' terms.
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,10 +23,14 @@ class Metrics {
   void callback(std::string_view outcome);          ///< counts an attempt: delivered, failed, given_up
   void connections(std::size_t open);
   void jobs(std::string_view state, std::size_t count);
+  void lost(std::size_t attempts);      ///< counts attempts whose worker gave no sign of life any more
+  void caught_up(std::int64_t now_ms);  ///< nothing is due that deadlines, leases and retention end
+  void started(std::int64_t now_ms);
   void build(const std::string& version, const std::string& commit);
   /// What is looked at when somebody asks.
   struct Observed {
-    double resident_bytes = 0, descriptors = 0, max_descriptors = 0, workers = 0, busy_workers = 0;
+    double resident_bytes = 0, max_memory_bytes = 0, descriptors = 0, max_descriptors = 0, workers = 0,
+           busy_workers = 0;
     double oldest_queued_seconds = 0, store_bytes = 0, store_log_bytes = 0, store_free_bytes = 0;
     double callbacks = 0;
   };

@@ -68,5 +68,20 @@ TEST_F(DeadlinesTest, TakesBackJobsWhoseLeaseRunsOut) {
   await(id, api::JobState::queued);
 }
 
+TEST_F(DeadlinesTest, EveryLookTellsWhatItFound) {
+  const std::string id = insert_id(*store);
+  claim(*store, time.now_ms(), "gone", 200);
+  std::atomic<int> looks{0}, lost{0};
+  const Deadlines deadlines(*store, time, [&](const Expired& expired) {
+    lost += static_cast<int>(expired.lost.size());
+    ++looks;
+  });
+  EXPECT_EQ(looks, 1) << "before anything else is done";
+  time.advance(200ms);
+  await(id, api::JobState::queued);
+  for (int i = 0; i < 15'000 && lost == 0; ++i) std::this_thread::sleep_for(2ms);
+  EXPECT_EQ(lost, 1);
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

@@ -18,7 +18,11 @@ TEST(Metrics, CountWhatTheyAreTold) {
   metrics.request("/v1/jobs/{id}", "GET", 200, 30, true);
   metrics.refused("too-many-jobs");
   metrics.build("1.2.3", "abc");
-  metrics.observe({.workers = 3, .busy_workers = 2, .oldest_queued_seconds = 7, .store_log_bytes = 4096});
+  metrics.lost(2);
+  metrics.started(1'500);
+  metrics.caught_up(2'500);
+  metrics.observe(
+      {.max_memory_bytes = 1024, .workers = 3, .busy_workers = 2, .oldest_queued_seconds = 7, .store_log_bytes = 4096});
   const std::string text = metrics.text();
   EXPECT_THAT(text,
               HasSubstr("bahnwerk_http_requests_total{method=\"GET\",route=\"/v1/jobs/{id}\",status=\"200\"} 3\n"));
@@ -29,6 +33,10 @@ TEST(Metrics, CountWhatTheyAreTold) {
       << "what was told to wait is counted apart";
   EXPECT_THAT(text, HasSubstr("bahnwerk_refusals_total{reason=\"too-many-jobs\"} 1\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_build_info{commit=\"abc\",version=\"1.2.3\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_attempts_lost_total 2\n"));
+  EXPECT_THAT(text, HasSubstr("process_start_time_seconds 1.5\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_retention_caught_up_timestamp_seconds 2.5\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_max_memory_bytes 1024\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_workers_busy 2\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_queue_oldest_seconds 7\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_store_log_bytes 4096\n"));
