@@ -83,6 +83,13 @@ void check_texts(const json& document, std::vector<FieldError>& errors) {
   }
 }
 
+/// Throws Problem schema-violation if there are errors.
+void refuse(std::vector<FieldError> errors) {
+  if (errors.empty()) return;
+  std::string detail = summary(errors, Schema::max_faults);
+  throw Problem("schema-violation", detail, std::move(errors));
+}
+
 /// Returns the document with null in place of the secret of its callback.
 std::string without_secret(std::string_view document) {
   std::string text(document);
@@ -123,16 +130,14 @@ JobRequest parse_job(std::string_view body, Progress* progress) {
   try {
     asked.report("read", 0);
     if (kind && document.contains("spec") && document["spec"].is_object())
-      for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
+      for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec", asked))
+        errors.push_back(std::move(error));
     asked.report("read", 0);
-    if (errors.empty()) kind->check(document["spec"], asked);
+    if (errors.empty()) request.planning_time = kind->check(document["spec"], asked);
   } catch (const Stopped&) {
     request.checked = false;
   }
-  if (!errors.empty()) {
-    std::string detail = summary(errors, Schema::max_faults);
-    throw Problem("schema-violation", detail, std::move(errors));
-  }
+  refuse(std::move(errors));
 
   request.kind = kind->name;
   request.name = optional_string(document, "name");
@@ -148,6 +153,14 @@ JobRequest parse_job(std::string_view body, Progress* progress) {
     request.callback = Callback{callback.at("url").get<std::string>(), optional_string(callback, "secret")};
   request.document = callback.is_object() ? without_secret(body) : std::string(body);
   return request;
+}
+
+void check_job(std::string_view document, Progress& progress) {
+  const json read = parse_json(document, &progress);
+  const Kind& kind = *find_kind(read.at("kind").get_ref<const std::string&>());
+  refuse(kind_schema(kind).validate(read.at("spec"), "/spec", progress));
+  progress.report("read", 0);
+  kind.check(read.at("spec"), progress);
 }
 
 json job_spec(std::string_view document, Progress* progress) {

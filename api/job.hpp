@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "api/kind.hpp"
+
 namespace bahnwerk {
 class Progress;
 }
@@ -37,12 +39,18 @@ struct JobRequest {
   /// The whole document, exactly as posted but for the callback's secret, in whose place null stands; its `spec` is
   /// planned.
   std::string document;
-  bool checked = true;  ///< false: the check of the spec was stopped; planning begins with it
+  std::optional<PlanningTime> planning_time;  ///< expected one, if the check has found it
+  bool checked = true;                        ///< false: the check of the spec was stopped; planning begins with it
 };
 /// Parses and checks a whole job document. Throws Problem: invalid-json (also for NaN, too deep nesting, broken UTF-8,
 /// duplicate keys), unknown-kind, schema-violation, semantic-violation. The check of the spec asks `progress`, if
-/// given; where that throws Stopped, the request is returned as not checked.
+/// given; where that throws Stopped, the request is returned as not checked. Reading the text and checking the envelope
+/// ask nobody, because without them there is no request.
 JobRequest parse_job(std::string_view body, Progress* progress = nullptr);
+
+/// Checks the spec of a request that is not checked. Asks `progress` from the first byte on. Throws Problem, as
+/// parse_job does, and what `progress` throws.
+void check_job(std::string_view document, Progress& progress);
 
 /// Returns the spec of a checked document, with each number in its canonical form (2.0 = 2), as it is planned. Asks
 /// `progress` while reading, if given.

@@ -2,7 +2,9 @@
 /// Descriptor of a kind of job, and the list of kinds. A new kind takes its core folder, its folder in api/kinds, its
 /// schemas with examples, its line in kinds.cpp and its tests.
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "api/setpoints/result_files.hpp"
@@ -24,14 +26,22 @@ struct ResultFiles {
   ResultFile (*make)(const nlohmann::json& result, std::string_view layout, std::string_view name) = nullptr;
 };
 
+/// How long the plan of a spec is expected to take.
+struct PlanningTime {
+  double seconds = 0;   ///< of one processor
+  std::string pointer;  ///< member of the document that determines it, such as /spec/effort
+  std::string change;   ///< what makes it shorter, a sentence
+};
+
 struct Kind {
   std::string_view name;
   std::string_view title;
   std::string_view schema;  ///< the schema's JSON text, embedded at build time; served as /v1/schemas/<name>
   std::string_view
       result_schema;  ///< JSON text of the schema that every result satisfies; served as /v1/schemas/<name>.result
-  /// Checks a spec that passed the schema; throws Problem "semantic-violation" naming every fault, and Stopped.
-  void (*check)(const nlohmann::json& spec, Progress& progress);
+  /// Checks a spec that passed the schema; throws Problem "semantic-violation" naming every fault, and Stopped. Returns
+  /// the expected planning time, if the kind can tell.
+  std::optional<PlanningTime> (*check)(const nlohmann::json& spec, Progress& progress);
   /// Plans a spec. Equal specs and versions give identical results. Throws core's errors; never returns an unverified
   /// plan as verified.
   PlannedJob (*plan)(const nlohmann::json& spec, Progress& progress);

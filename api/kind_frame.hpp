@@ -8,8 +8,9 @@
 ///   KindReport report(const Request&, Plan&, Progress&)
 ///
 /// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
-/// document is submitted; and, if the kind makes files of a result, `ResultFiles files`. The file
-/// api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
+/// document is submitted; and, if the kind knows how long its plans take, expected_time(const Request&); and, if the
+/// kind makes files of a result, `ResultFiles files`. The file api/kinds/<name>/<name>.cpp contains `Kind
+/// describe_<name>() { return kind_of<K>();
 /// }`, and api/kinds.cpp lists it.
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -42,10 +43,12 @@ PlannedJob planned_job(std::string_view kind, KindReport report);
 
 template <class K>
 /// Implements Kind::check.
-void check_spec(const nlohmann::json& spec, Progress& progress) {
+std::optional<PlanningTime> check_spec(const nlohmann::json& spec, Progress& progress) {
   try {
     const auto request = K::read(spec, progress);
     if constexpr (requires { K::check(request); }) K::check(request);
+    if constexpr (requires { K::expected_time(request); }) return K::expected_time(request);
+    return std::nullopt;
   } catch (const InvalidInput&) {
     throw problem_from_current_exception("/spec");
   }

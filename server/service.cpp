@@ -41,7 +41,7 @@ Limits affordable(Limits limits) {
 
 }  // namespace
 
-Engine real_engine() { return {api::parse_job, api::plan_job}; }
+Engine real_engine() { return {api::parse_job, api::plan_job, api::check_job}; }
 
 Service::Service(const ServiceOptions& options, Engine engine, const TimeSource& time)
     : options_(options), time_(time), notifier_(time) {
@@ -79,12 +79,16 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   checks_ = std::make_unique<Pool>(check_threads);
   heavy_ = std::make_unique<Pool>(1, options.worker_nice);
   // The owner of a file needs no clock to detect that a worker has ended: it would have ended itself.
-  workers_ = std::make_unique<Workers>(
-      *store_, live_, notifier_, metrics_, std::move(engine.plan),
-      store_->shared() ? std::optional(worker_lease) : std::nullopt, time_,
-      [parse = engine.parse](const std::string& document, Progress& progress) { parse(document, &progress); });
+  workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan),
+                                       store_->shared() ? std::optional(worker_lease) : std::nullopt, time_,
+                                       std::move(engine.check));
   workers_->limit_planning(options.max_planning);
-  deadlines_ = std::make_unique<Deadlines>(*store_, time_);
+  metrics_.started(time_.now_ms());
+  deadlines_ = std::make_unique<Deadlines>(*store_, time_, [this](const Expired& expired) {
+    metrics_.lost(expired.lost.size());
+    const std::int64_t now = time_.now_ms();
+    if (!expired.next || *expired.next > now) metrics_.caught_up(now);
+  });
   callbacks_ = std::make_unique<Callbacks>(*store_, metrics_, http_sender(callback_hosts),
                                            callback_hosts.empty() ? 1 : callback_threads, time_);
   follow_changes();

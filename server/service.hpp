@@ -50,6 +50,7 @@ struct ServiceOptions {
 struct Engine {
   Parser parse;
   Planner plan;
+  Checker check = {};  ///< none: no check is stopped
 };
 Engine real_engine();
 

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "api/setpoints/setpoints.hpp"  // append_number
+#include "api/text/json_text.hpp"
 #include "api/text/pointer.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -38,18 +40,14 @@ std::string with_article(const std::string& type) {
   return (std::string_view("aeiou").find(type[0]) == std::string_view::npos ? "a " : "an ") + type;
 }
 
-std::size_t characters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 class Explainer {
  public:
-  Explainer(const json& root, std::size_t most) : root_(root), max_(most) {}
+  Explainer(const json& root, std::size_t most, Progress& progress) : root_(root), max_(most), progress_(progress) {}
   std::vector<FieldError> errors;
 
   void visit(const json& unresolved, const json& value, std::string& at) {
     if (errors.size() >= max_) return;
+    if (++values_ % values_per_report == 0) progress_.report("read", 0);
     const json& schema = resolve_ref(root_, unresolved);
     if (schema.is_boolean()) {
       if (!schema.get<bool>()) add(at, "is not allowed here");
@@ -68,6 +66,9 @@ class Explainer {
  private:
   const json& root_;
   std::size_t max_;
+  static constexpr std::size_t values_per_report = 4096;  // 5 ms
+  Progress& progress_;
+  std::size_t values_ = 0;
 
   void add(const std::string& at, std::string message) {
     if (errors.size() >= max_) return;
@@ -129,7 +130,7 @@ class Explainer {
   }
 
   void string(const json& schema, const std::string& value, const std::string& at) {
-    size(schema, "minLength", "maxLength", characters(value), "character", at);
+    size(schema, "minLength", "maxLength", count_characters(value), "character", at);
   }
 
   void array(const json& schema, const json& value, std::string& at) {
@@ -267,8 +268,10 @@ class Explainer {
     std::string titles;
     for (const auto& each : branches) {
       const json& branch = resolve_ref(root_, each);
-      Explainer inner(root_, 1);
+      Explainer inner(root_, 1, progress_);
+      inner.values_ = values_;
       inner.visit(branch, value, at);
+      values_ = inner.values_;
       valid += inner.errors.empty();
       titles += (titles.empty() ? "" : ", or ") + branch.value("title", std::string("another form"));
       if (excluded(branch, value)) continue;
@@ -292,8 +295,9 @@ class Explainer {
 
 }  // namespace
 
-std::vector<FieldError> explain(const json& schema, const json& document, std::string_view prefix, std::size_t most) {
-  Explainer explainer(schema, most);
+std::vector<FieldError> explain(const json& schema, const json& document, std::string_view prefix, std::size_t most,
+                                Progress& progress) {
+  Explainer explainer(schema, most, progress);
   std::string at(prefix);
   explainer.visit(schema, document, at);
   return std::move(explainer.errors);

@@ -7,6 +7,10 @@
 
 #include "api/problem.hpp"
 
+namespace bahnwerk {
+class Progress;
+}
+
 namespace bahnwerk::api {
 
 /// Throws std::invalid_argument for a keyword that explain() does not know or a $ref that leads nowhere.
@@ -18,8 +22,8 @@ const nlohmann::json& resolve_ref(const nlohmann::json& root, const nlohmann::js
 
 /// Returns the faults of `document`, at most `most`, one per place. In addition to the standard keywords it reads
 /// "x-not-available", a list of values or member names that a later version will accept: they are invalid with a
-/// message of their own. "format" is an annotation.
+/// message of their own. "format" is an annotation. Asks `progress` every few thousand values, as stage "read".
 std::vector<FieldError> explain(const nlohmann::json& schema, const nlohmann::json& document, std::string_view prefix,
-                                std::size_t most);
+                                std::size_t most, Progress& progress);
 
 }  // namespace bahnwerk::api

@@ -199,4 +199,9 @@ json parse_json(std::string_view text, Progress* progress) {
   throw Problem("invalid-json", position(text, builder.fault_byte) + builder.fault);
 }
 
+std::size_t count_characters(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
 }  // namespace bahnwerk::api

@@ -28,4 +28,7 @@ std::size_t document_memory(std::string_view text);
 /// thousand values, as stage "read".
 nlohmann::json parse_json(std::string_view text, Progress* progress = nullptr);
 
+/// Returns the number of code points of a valid UTF-8 text.
+std::size_t count_characters(std::string_view text);
+
 }  // namespace bahnwerk::api

@@ -80,6 +80,10 @@ struct FillPlan {
 /// layout.
 FillPlan plan_fill(const FillRequest& request, Progress& progress);
 
+/// Returns the expected time of plan_fill, s of one processor, within a factor of two for times above a second. Cost:
+/// that of one bound on the number of wires.
+double expected_time(const FillRequest& request);
+
 /// Returns the largest amount, mm, by which the distance of two wires may be less than their diameter [Herrmann 4.2.3].
 double allowed_overlap(const FillRequest& request, winding::Algorithm algorithm, const winding::Wire& wire);
 

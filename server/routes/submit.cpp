@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <memory>
 #include <new>
+#include <nlohmann/json.hpp>
 
 #include "api/text/pointer.hpp"
 #include "core/base/errors.hpp"
@@ -88,8 +90,40 @@ std::optional<Response> refused(const Context& context, const Request& request, 
   return std::nullopt;
 }
 
-Response accepted(const Context& context, const Request& request, const api::Job& job) {
+/// From here on a plan's expected time is worth a note.
+constexpr double long_planning = 60;  // s
+
+std::string about(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, seconds < 100 ? "%.0f s" : "%.3g s", seconds);
+  return text;
+}
+
+/// Throws Problem semantic-violation where the plan of a request cannot end within its time. Estimates hold within a
+/// factor of two, on processors like that on which they were made: a plan is refused beyond three times its limit.
+void require_time(const api::JobRequest& request, std::chrono::milliseconds most_planning) {
+  if (!request.planning_time) return;
+  const double service = std::chrono::duration<double>(most_planning).count();
+  const bool own = request.time_budget && *request.time_budget < service;
+  const double limit = own ? *request.time_budget : service;
+  const auto& [seconds, pointer, change] = *request.planning_time;
+  if (seconds <= 3 * limit) return;
+  const std::string message =
+      "the plan takes about " + about(seconds) + "; " +
+      (own ? "time_budget allows " : "the service plans no job for longer than (--max-planning-time) ") + about(limit) +
+      ". Smaller values of " + change;
+  throw api::Problem("semantic-violation", pointer + ": " + message, {{pointer, message}});
+}
+
+/// Answers with the job, and a note where its plan will take long.
+Response accepted(const Context& context, const Request& request, const api::Job& job,
+                  const std::optional<api::PlanningTime>& time = {}) {
   Response response = job_answer(context, 202, request, job);
+  if (time && time->seconds >= long_planning && !final(job)) {
+    auto resource = nlohmann::ordered_json::parse(response.body);
+    resource["notes"] = {"the plan takes about " + about(time->seconds) + ". Smaller values of " + time->change};
+    response.body = resource.dump();
+  }
   response.set("Location", "/v1/jobs/" + job.id);
   return response;
 }
@@ -215,6 +249,8 @@ class Post : public std::enable_shared_from_this<Post> {
   }
 
   void insert() {
+    require_time(job_.request, context_.max_planning);
+    planning_time_ = job_.request.planning_time;
     if (!job_.idempotency_key.empty()) job_.body_hash = sha256(request_->body);
     request_->body = std::string();
     job_.now = context_.time.now_ms();
@@ -238,8 +274,11 @@ class Post : public std::enable_shared_from_this<Post> {
       if (error) std::rethrow_exception(error);
       if (auto response = refused(context_, *request_, inserted)) return reply_(std::move(*response));
       if (const int wait = preferred_wait(*request_); wait > 0)
-        return answer_at_end(context_, request_, reply_, inserted.id, wait, accepted);
-      reply_(accepted(context_, *request_, find_job(context_, inserted.id)));
+        return answer_at_end(context_, request_, reply_, inserted.id, wait,
+                             [](const Context& context, const Request& request, const api::Job& job) {
+                               return accepted(context, request, job);
+                             });
+      reply_(accepted(context_, *request_, find_job(context_, inserted.id), planning_time_));
     } catch (...) {
       reply_(answer_from_current_exception(*request_));
     }
@@ -251,6 +290,7 @@ class Post : public std::enable_shared_from_this<Post> {
   bool packed_;
   const TimeSource::Time until_;
   NewJob job_;
+  std::optional<api::PlanningTime> planning_time_;
   std::atomic<bool> finish_{false};  ///< the client has left, or others need the connection
 };
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "api/planned_job.hpp"
@@ -78,6 +79,56 @@ TEST(ParseJob, AStoppedCheckLeavesTheRequestUnchecked) {
     } catch (const Problem& problem) {
       EXPECT_EQ(problem.type().slug, slug);
     }
+  }
+}
+
+/// Counts the questions before the stop and those after it.
+struct StopsWhenTold final : Progress {
+  explicit StopsWhenTold(int n) : last(n) {}
+  void report(std::string_view, double, std::string_view) override {
+    if (++asked >= last) throw Stopped(StopReason::cancelled);
+  }
+  int last, asked = 0;
+};
+
+TEST(CheckJob, StopsAtAnyQuestionFromTheFirstByteOn) {
+  std::string points = "[0,0]";
+  for (int i = 1; i < 60'000; ++i) points += ",[" + std::to_string(i) + ".25,1.5]";
+  const auto body = [&](const char* end) {
+    return R"({"kind":"contour","spec":{"machine":{"axes":{"x":{"velocity":1000,"acceleration":1000},"y":{"velocity":1000,"acceleration":1000}}},
+      "contour":{"points":[)" +
+           points + end + "]}}}";
+  };
+  const std::string document = body("");
+  StopsWhenTold all(std::numeric_limits<int>::max());
+  check_job(document, all);
+  const int values = 3 * 60'000;
+  EXPECT_GE(all.asked, 2 * (values / 4096)) << "the text and the schema ask";
+  for (int n = 1; n < all.asked; n += 7) {
+    StopsWhenTold progress(n);
+    EXPECT_THROW(check_job(document, progress), Stopped) << n;
+    EXPECT_EQ(progress.asked, n) << "asked again after the stop";
+  }
+  // A fault at the end is explained, which takes longest, and asks as often.
+  const std::string faulty = body(",[\"x\",0]");
+  StopsWhenTold asked(std::numeric_limits<int>::max());
+  EXPECT_THROW(check_job(faulty, asked), Problem);
+  EXPECT_GE(asked.asked, 3 * (values / 4096));
+  StopsWhenTold explaining(asked.asked);
+  EXPECT_THROW(check_job(faulty, explaining), Stopped);
+}
+
+TEST(CheckJob, FindsWhatAStoppedCheckLeftOut) {
+  auto document = test::read_json(test::source("schemas/examples/job/minimal.json"));
+  SilentProgress silent;
+  EXPECT_NO_THROW(check_job(document.dump(), silent));
+  document["spec"]["machine"]["axes"]["x"]["velocity"] = "fast";
+  try {
+    check_job(document.dump(), silent);
+    FAIL();
+  } catch (const Problem& problem) {
+    EXPECT_EQ(problem.type().slug, "schema-violation");
+    EXPECT_EQ(test::pointers(problem), std::vector<std::string>{"/spec/machine/axes/x/velocity"});
   }
 }
 

@@ -36,6 +36,17 @@ post "$work/bad.json"
 expect_problem schema-violation 422
 expect_json '.errors[0].pointer == "/spec/slot/height"'
 
+# What cannot end in its time is refused with numbers, what takes long has a note.
+jq '.spec.robustness.samples = 1000 | .spec.effort = 10' "$work/job.json" >"$work/endless.json"
+post "$work/endless.json"
+expect_problem semantic-violation 422
+expect_json '.errors[0].pointer == "/spec/robustness/samples" and (.detail | test("about [0-9.e+]+ s"))'
+jq '.spec.wires = [0.6] | .spec.effort = 100 | del(.spec.robustness)' "$work/job.json" >"$work/long.json"
+jq '.time_budget = 5' "$work/long.json" >"$work/endless.json"
+post "$work/endless.json"
+expect_problem semantic-violation 422
+expect_json '.detail | test("time_budget")'
+
 # A long search stops the first time that it reports after the order.
 jq '.spec.wires = [0.6] | .spec.effort = 100 | del(.spec.robustness)' "$work/job.json" >"$work/long.json"
 post "$work/long.json"

@@ -190,5 +190,34 @@ TEST_F(ServiceTest, ManyStreamsTakeNoThreadsAndEndWithTheService) {
   EXPECT_EQ(ended, 100);
 }
 
+TEST_F(ServiceTest, AJobThatCannotEndInItsTimeIsRefusedAndALongOneIsNoted) {
+  Engine engine = stub_engine();
+  engine.parse = [parse = engine.parse](std::string_view body, Progress* progress) {
+    api::JobRequest request = parse(body, progress);
+    const json document = json::parse(body);
+    if (document.contains("takes"))
+      request.planning_time = api::PlanningTime{document["takes"], "/spec/effort", "effort shorten it"};
+    if (document.contains("budget")) request.time_budget = document["budget"];
+    return request;
+  };
+  options.workers = 0;
+  options.max_planning = 100s;
+  service = std::make_unique<Service>(options, std::move(engine));
+  client = std::make_unique<HttpClient>("http://" + service->address());
+  EXPECT_FALSE(json::parse(post(R"({"takes":59})").body).contains("notes"));
+  for (const char* body : {R"({"takes":60})", R"({"takes":300})"}) {
+    const Response answer = post(body);
+    EXPECT_EQ(answer.status, 202) << body;
+    EXPECT_EQ(json::parse(answer.body)["notes"].size(), 1u) << body;
+  }
+  for (const char* body : {R"({"takes":301})", R"({"takes":31,"budget":10})"}) {
+    const Response answer = post(body);
+    EXPECT_EQ(answer.status, 422) << body;
+    const json problem = json::parse(answer.body);
+    EXPECT_EQ(problem["type"], "/problems/semantic-violation");
+    EXPECT_EQ(problem["errors"][0]["pointer"], "/spec/effort");
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

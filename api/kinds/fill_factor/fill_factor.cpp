@@ -164,6 +164,14 @@ struct FillFactorKind {
     return {request(spec, &progress), spec.value("drawings", true)};
   }
 
+  static PlanningTime expected_time(const Asked& asked) {
+    const FillRequest& fill = asked.fill;
+    const bool sampled = fill.sampling.samples > 0;
+    return {bahnwerk::expected_time(fill), sampled ? "/spec/robustness/samples" : "/spec",
+            std::string(sampled ? "robustness.samples, " : "") +
+                "the number of wires, and effort for the algorithm potential, shorten it in proportion"};
+  }
+
   static FillPlan plan(const Asked& asked, Progress& progress) { return plan_fill(asked.fill, progress); }
 
   static KindReport report(const Asked& asked, const FillPlan& plan, Progress& progress) {

@@ -5,13 +5,17 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/base/progress.hpp"
+
 namespace bahnwerk::api {
 namespace {
 
 using nlohmann::json;
 
+SilentProgress silent;
+
 std::string only_message(const std::string& schema, const std::string& document) {
-  const auto errors = explain(json::parse(schema), json::parse(document), "", 50);
+  const auto errors = explain(json::parse(schema), json::parse(document), "", 50, silent);
   if (errors.size() != 1) return std::to_string(errors.size()) + " errors";
   return errors[0].pointer + ": " + errors[0].message;
 }
@@ -70,11 +74,11 @@ TEST(SchemaExplain, ReferencesLeadIntoTheSchemaOrAreRefused) {
 
 TEST(SchemaExplain, OnePlaceHasOneFaultAndThereAreNoMoreThanAsked) {
   const json schema = json::parse(R"({"items":{"type":"number","minimum":3}})"), wrong = json::parse("[1,\"x\",2,4]");
-  EXPECT_EQ(explain(schema, wrong, "/p", 50).size(), 3u);
-  const auto two = explain(schema, wrong, "/p", 2);
+  EXPECT_EQ(explain(schema, wrong, "/p", 50, silent).size(), 3u);
+  const auto two = explain(schema, wrong, "/p", 2, silent);
   ASSERT_EQ(two.size(), 2u);
   EXPECT_EQ(two[1].pointer, "/p/1");
-  EXPECT_TRUE(explain(schema, json::parse("[3,4]"), "", 50).empty());
+  EXPECT_TRUE(explain(schema, json::parse("[3,4]"), "", 50, silent).empty());
 }
 
 }  // namespace

@@ -93,6 +93,24 @@ TEST(FillPlan, SameRequestSameBits) {
   }
 }
 
+TEST(FillPlan, ExpectedTimeGrowsWithWhatIsAskedFor) {
+  FillRequest request = stator({0.9});
+  const double one = expected_time(request);
+  EXPECT_GT(one, 0.2);
+  EXPECT_LT(one, 3);
+  request.effort = 100;
+  EXPECT_GT(expected_time(request), 50 * one);
+  request.effort = 1;
+  request.sampling.samples = 99;
+  EXPECT_GT(expected_time(request), 90 * one);
+  request = stator({0.9, 0.95});
+  EXPECT_GT(expected_time(request), 1.7 * one);
+  request.algorithms = {Algorithm::needle};
+  EXPECT_LT(expected_time(request), 0.1);
+  request.wires.clear();
+  EXPECT_EQ(expected_time(request), 0);
+}
+
 TEST(FillPlan, SamplesSpreadAroundTheNominalCount) {
   FillRequest request = stator({0.9});
   request.algorithms = {Algorithm::needle};
