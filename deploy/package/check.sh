@@ -3,7 +3,8 @@
 #   package   installs dist/bahnwerk_*.deb in a fresh Debian and plans; boots that Debian's systemd, which starts the unit; hangs the service for the
 #             watchdog; upgrades, removes, purges, installs again: the jobs are still there
 #   image     what dist/bahnwerk_*.tar says of itself, its size; runs it with a read-only root as the user that it names
-#   proxies   nginx and Caddy before the service, as deploy/proxy has them: an event stream and a large document go through
+#   proxies   nginx and Caddy before the service, as deploy/proxy has them: an event stream and a large document go through, and clients live
+#             through a restart of the service
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . .ci/setup.sh
@@ -140,9 +141,14 @@ part_proxies() {
   install_packages release_check
   local binary=$PWD/build/release/bahnwerk port=18473 id
   say "Proxies"
-  "$binary" serve --listen 127.0.0.1:$port --store "sqlite:$work/proxy.db" 2>"$work/service.log" &
-  pids+=($!)
-  openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN=planning.example.com -keyout "$work/key.pem" -out "$work/cert.pem" 2>/dev/null
+  local service
+  serve() {
+    "$binary" serve --listen 127.0.0.1:$port --store "sqlite:$work/proxy.db" 2>>"$work/service.log" &
+    service=$!
+    pids+=($service)
+  }
+  serve
+  openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN=planning.example.com -addext subjectAltName=IP:127.0.0.1 -keyout "$work/key.pem" -out "$work/cert.pem" 2>/dev/null
   { echo "pid $work/nginx.pid; error_log $work/nginx.log; events {} http { access_log off;"
     sed -e "s#127.0.0.1:8080#127.0.0.1:$port#; s#listen 80;#listen 127.0.0.1:18480;#; s#listen 443#listen 127.0.0.1:18443#; /listen \[::\]/d" \
       -e "s#/etc/ssl/private/planning.example.com.key#$work/key.pem#; s#/etc/ssl/planning.example.com.pem#$work/cert.pem#" deploy/proxy/nginx.conf
@@ -158,7 +164,9 @@ part_proxies() {
   jq -n '{kind: "contour", spec: {contour: {start: [0, 0], blocks: [{mode: "cut", segments: [range(30000) | {arc: {to: [2 * . + 2, 0], center: [2 * . + 1, 0],
     direction: (if . % 2 == 0 then "cw" else "ccw" end)}}]}]}, machine: {kinematics: "cartesian", cycle_time: 0.001, axes: {x: {velocity: 1800, acceleration: 16000},
     y: {velocity: 1800, acceleration: 16000}}}, planning: {method: "time_optimal"}}}' >"$work/long.json"
+  jq '.spec.contour.blocks[0].segments |= .[:1000]' "$work/long.json" >"$work/waves.json"
   local proxy base
+  declare -A ca=([nginx]="--ca $work/cert.pem")
   for proxy in nginx caddy; do
     [ $proxy = nginx ] && base=https://127.0.0.1:18443 || base=http://127.0.0.1:18481
     for _ in $(seq 100); do curl -kfs "$base/healthz" >/dev/null && break; sleep 0.1; done
@@ -173,7 +181,18 @@ part_proxies() {
     grep -q '"state":"cancelled"' "$work/events" || fail "$proxy: the last event"
     id=$(curl -kfs "$base/v1/jobs" -H 'Content-Type: application/json' --data-binary @examples/line.json | jq -r .id)
     curl -kfs -H 'Prefer: wait=60' "$base/v1/jobs/$id" | jq -e '.state == "succeeded"' >/dev/null || fail "$proxy: a held answer"
-    echo "  $proxy: a document of $(du -h "$work/long.json" | cut -f1), an event stream and a held answer go through"
+    # Killed while a client waits for a job: others hear when to come again, and this one gets its result.
+    "$binary" submit --wait --patience 120 "$work/waves.json" --server "$base" ${ca[$proxy]:-} >"$work/result.json" 2>"$work/err" &
+    local submit=$! status
+    for _ in $(seq 600); do grep -q '^bahnwerk: job ' "$work/err" 2>/dev/null && break; sleep 0.1; done
+    kill -KILL $service
+    wait $service 2>/dev/null || true
+    status=$(curl -ks -o "$work/body" -D "$work/headers" -w '%{http_code}' "$base/v1/jobs")
+    [[ $status == 503 && $(tr -d '\r' <"$work/headers") =~ [Rr]etry-[Aa]fter:\ [0-9] ]] && jq -e '.status == 503' "$work/body" >/dev/null || fail "$proxy: $status without the service"
+    serve
+    wait $submit || fail "$proxy: submit --wait over a restart: $(cat "$work/err")"
+    jq -e .verification.passed "$work/result.json" >/dev/null || fail "$proxy: the result after the restart"
+    echo "  $proxy: a document of $(du -h "$work/long.json" | cut -f1), an event stream and a held answer go through; submit --wait lives through a restart"
   done
   [ "$(curl -s -o /dev/null -w '%{http_code}' http://127.0.0.1:18480/)" = 308 ] || fail "nginx: to https"
 }
