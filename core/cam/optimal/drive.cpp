@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/cam/optimal/degree_choice.hpp"
 #include "core/cam/optimal/free_angles.hpp"
 #include "core/cam/optimal/law_faults.hpp"
+#include "core/cam/optimal/refine_pieces.hpp"
 #include "core/cam/optimal/relaxation/law_bound.hpp"
 #include "core/cam/spline/spline_faults.hpp"
 
@@ -19,7 +21,9 @@ namespace {
 
 constexpr double wanted = 1e-7;  // share by which the cycle may be longer than its degree, pieces and angles allow
 constexpr double solved = 2e-9;  // share of a limit that peaks stay below it, for what programs and rounding leave
-constexpr int most_durations = 60, most_passes = 8, most_bounds = 7;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_durations = 60, most_passes = 8, most_bounds = 7, most_refinements = 10;
+constexpr std::size_t most_pieces = 200;      // of a section
 constexpr std::size_t most_cycle_boxes = 40;  // programs of branch and bound per duration
 
 std::array<double, limited_orders> limits_of(const DriveLimits& drive) {
@@ -54,19 +58,23 @@ bool keeps_limits(const SplineResult& spline) { return spline.feasible && spline
 class CycleSearch {
  public:
   CycleSearch(const MotionLawProblem& problem, ShortestCycle& result, Progress& progress)
-      : problem_(problem), result_(result), progress_(progress), monotone_(stretches(problem)) {}
+      : problem_(problem),
+        result_(result),
+        progress_(progress),
+        monotone_(stretches(problem)),
+        times_(task_of(problem, 1).middle()) {}
 
   void run() {
-    LawTask task = task_of(problem_, 1);
-    result_.degree = problem_.degree.value_or(least_degree(task));
-    // Switching times of a law of constant jerk lie between breaks: the more breaks, the less is lost.
-    result_.pieces = problem_.degree ? problem_.pieces : std::clamp(144 / static_cast<int>(task.sections()), 8, 48);
-    times_ = task.middle();
-    shorten(likely_duration(), task.free_angles() ? 1e-4 : wanted);
-    if (task.free_angles()) {
-      for (int pass = 0; pass < most_passes && choose_angles(pass < 2); ++pass) shorten(result_.duration, 1e-5);
-      shorten(result_.duration, wanted);
+    const bool free = task_of(problem_, 1).free_angles();
+    shorten(likely_duration(), free ? 1e-4 : problem_.degree ? wanted : 1e-3);
+    if (free)
+      for (int pass = 0; pass < most_passes && choose_angles(pass < 2); ++pass) shorten(result_.duration, 1e-4);
+    if (!problem_.degree) {
+      refine();
+      if (free)
+        while (choose_angles(false)) shorten(result_.duration, 1e-5);
     }
+    shorten(result_.duration, wanted);
     if (monotone_) bound();
   }
 
@@ -92,34 +100,36 @@ class CycleSearch {
   SplineResult solve(double duration) {
     ++result_.programs;
     const LawTask task = task_of(problem_, duration);
-    return SplineProgram(task, LawBasis(task, result_.degree, result_.pieces), times_).solve({}, progress_);
+    return SplineProgram(task, result_.basis, times_).solve({}, progress_);
   }
 
   /// Returns the share of a limit that the peaks of a law may take.
   double target() const {
     if (result_.duration == 0) return 1 - solved;
     const LawTask task = task_of(problem_, result_.duration);
-    const LawBasis basis(task, result_.degree, result_.pieces);
     const std::vector<double> breaks = task.breaks(times_);
     double rounding = 0;
     for (std::size_t s = 0; s < task.sections(); ++s) {
-      const double piece = (breaks[s + 1] - breaks[s]) / static_cast<double>(basis.section(s).pieces());
+      const SectionBasis& own = result_.basis.section(s);
+      double piece = 1;
+      for (std::size_t i = 0; i < own.pieces(); ++i) piece = std::min(piece, own.length(i));
+      piece *= breaks[s + 1] - breaks[s];
       for (int r = 1; r < limited_orders; ++r)
-        rounding = std::max(
-            rounding, task.weight[static_cast<std::size_t>(r)] * published_rounding(task, result_.degree, piece, r));
+        rounding = std::max(rounding, task.weight[static_cast<std::size_t>(r)] *
+                                          published_rounding(task, static_cast<int>(own.degree()), piece, r));
     }
     return 1 - solved - std::min(rounding, 1e-3);
   }
 
   [[noreturn]] void refuse(double duration) {
     const LawTask task = task_of(problem_, duration);
-    explain_infeasible(task, LawBasis(task, result_.degree, result_.pieces), times_, progress_);
+    explain_infeasible(task, result_.basis, times_, progress_);
     throw InvalidInput({InputFault{{"drive"}, "no duration was found in which a law keeps these limits"}});
   }
 
   /// Finds the shortest cycle at the chosen angles, to a share `close`; begins with a duration.
   void shorten(double duration, double close) {
-    double low = 0, high = std::numeric_limits<double>::infinity(), slope = 2;  // M falls like T^−slope
+    double low = 0, high = infinity, slope = 2;  // M falls like T^−slope
     double last_duration = 0, last = 0;
     for (int i = 0; i < most_durations; ++i) {
       progress_.report("shortest cycle", 0);
@@ -158,27 +168,49 @@ class CycleSearch {
   /// Takes the angles with the least peaks in the cycle as it is. Returns whether they leave something to gain.
   bool choose_angles(bool widely) {
     const LawTask task = task_of(problem_, result_.duration);
-    const LawBasis basis(task, result_.degree, result_.pieces);
-    FreeAngles free =
-        widely ? optimise_angles(task, basis, problem_.seed, progress_) : refine_angles(task, basis, times_, progress_);
+    FreeAngles free = widely ? optimise_angles(task, result_.basis, problem_.seed, progress_)
+                             : refine_angles(task, result_.basis, times_, progress_);
     result_.programs += free.programs;
     if (!keeps_limits(free.spline) || free.spline.objective > target() * (1 - 1e-5)) return false;
     times_.assign(free.spline.breaks.begin(), free.spline.breaks.begin() + static_cast<std::ptrdiff_t>(times_.size()));
     return true;
   }
 
-  /// Finds the longest cycle, to 1e-4, of which the relaxation says that it is too short.
+  /// Halves pieces in the cycle as it is until the peaks fall no more.
+  void refine() {
+    const LawTask task = task_of(problem_, result_.duration);
+    SplineResult last = result_.spline;
+    for (int round = 0; round < most_refinements; ++round) {
+      LawBasis finer = halve_at_changes(task, result_.basis, last);
+      if (finer.size() == result_.basis.size() || finer.pieces() > most_pieces) break;
+      ++result_.programs;
+      SplineOptions options;
+      options.gap = 1e-5;
+      SplineResult now = SplineProgram(task, finer, times_).solve(options, progress_);
+      if (!keeps_limits(now) || now.objective > last.objective * (1 + 1e-5)) break;
+      const bool little = now.objective > last.objective * (1 - 1e-4);
+      result_.basis = std::move(finer);
+      last = std::move(now);
+      result_.spline = last;
+      if (little) break;
+    }
+  }
+
+  /// Finds the longest cycle, to 1e-4 (2e-3 with angles in ranges), of which the relaxation says that it is too short.
   void bound() {
-    double proven = 0, open = result_.duration, duration = result_.duration, slope = 2;
+    const bool free = task_of(problem_, 1).free_angles();
+    const double close = free ? 2e-3 : 1e-4;  // boxes of angles are settled once they are too short, not exactly
+    double proven = 0, open = result_.duration, duration = result_.duration * (free ? 1 - close / 2 : 1), slope = 2;
     double last = 0, last_duration = 0;
-    for (int i = 0; i < most_bounds && open > proven * (1 + 1e-4); ++i) {
+    for (int i = 0; i < most_bounds && open > proven * (1 + close); ++i) {
       const LawTask task = task_of(problem_, duration);
       SplineResult stretched = result_.spline;  // the same numbers in the units of this task
       stretched.objective = 0;
       for (std::size_t r = 1; r < limited_orders; ++r)
         stretched.objective = std::max(stretched.objective, task.weight[r] * stretched.peaks[r]);
-      const KnownLaw law(task, LawBasis(task, result_.degree, result_.pieces), stretched);
-      const AllLawsBound least = bound_over_angles(task, law, most_cycle_boxes, 1e-4, progress_);
+      const KnownLaw law(task, result_.basis, stretched);
+      const AllLawsBound least =
+          bound_over_angles(task, law, most_cycle_boxes, 1e-4, progress_, free ? 1 + 5e-5 : infinity);
       result_.programs += static_cast<int>(least.programs);
       const double m = least.objective;
       (m > 1 ? proven : open) = duration;
@@ -242,7 +274,9 @@ void check_drive(const MotionLawProblem& problem) {
 }
 
 ShortestCycle find_shortest_cycle(const MotionLawProblem& problem, Progress& progress) {
-  ShortestCycle result;
+  const LawTask task = task_of(problem, 1);
+  const int pieces = problem.degree ? problem.pieces : std::clamp(96 / static_cast<int>(task.sections()), 8, 24);
+  ShortestCycle result(LawBasis(task, problem.degree.value_or(least_degree(task)), pieces));
   CycleSearch(problem, result, progress).run();
   return result;
 }

@@ -2,11 +2,13 @@
 /// The shortest cycle of a law within a drive's velocity, acceleration and jerk.
 ///
 /// M(T) is the minimum, over all laws of the degree with a cycle of duration T, of the largest ratio of a peak to its
-/// limit: a linear program with one shared peak. T is long enough exactly if M(T) ≤ 1. Angles in ranges and the cycle
-/// are sought in turn: the angles that make M least in a cycle, then the cycle at these angles. If no point asks for a
-/// derivative other than 0, a stretched law is a law, too, and M falls with T: where the relaxation over all laws
-/// (relaxation.hpp) has M > 1 at some T, no law has a shorter cycle.
+/// limit: a linear program with one shared peak. T is long enough exactly if M(T) ≤ 1. Where the document names no
+/// degree, pieces are halved at the changes of the jerk (refine_pieces.hpp) as long as M falls by more than 1e-4.
+/// Angles in ranges and the cycle are sought in turn: the angles that make M least in a cycle, then the cycle at these
+/// angles. If no point asks for a derivative other than 0, a stretched law is a law, too, and M falls with T: where the
+/// relaxation over all laws (relaxation.hpp) has M > 1 at some T, no law has a shorter cycle.
 #include <optional>
+#include <utility>
 
 #include "core/cam/optimal/program/spline_program.hpp"
 #include "core/cam/solution.hpp"
@@ -14,10 +16,11 @@
 namespace bahnwerk::cam {
 
 struct ShortestCycle {
+  explicit ShortestCycle(LawBasis first) : basis(std::move(first)) {}
   double duration = 0;              ///< duration of the law's cycle, s
   SplineResult spline;              ///< the spline in the units of the task with `duration`
   std::optional<CycleBound> bound;  ///< none where a stretched law is no law
-  int degree = 0, pieces = 1;
+  LawBasis basis;                   ///< basis of the spline
   int programs = 0;
 };
 

@@ -62,11 +62,10 @@ CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const LawBas
       add(section, from, straight_line(problem, task, section, coefficients[0], length));
     } else {
       const SectionBasis& own = basis.section(section);
-      const double count = static_cast<double>(own.pieces());
       for (std::size_t piece = 0; piece < own.pieces(); ++piece) {
         std::vector<double> b(own.degree() + 1);
         own.bernstein(piece, coefficients, 0, b.data());
-        add(section, from + length * static_cast<double>(piece) / count, in_user_units(std::move(b)));
+        add(section, from + length * own.begin(piece), in_user_units(std::move(b)));
       }
     }
   }
@@ -126,6 +125,7 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
   DegreeChoice chosen;
   const bool shortest = !problem.cycle_duration;
   std::optional<RestToRest> direct;
+  std::optional<LawBasis> basis;
   if (shortest) {
     check_drive(problem);
     if (!problem.degree) direct = rest_to_rest(problem);
@@ -145,10 +145,17 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
   } else if (shortest) {
     ShortestCycle cycle = find_shortest_cycle(problem, progress);
     problem.cycle_duration = cycle.duration;
-    chosen = {cycle.degree, cycle.pieces, std::move(cycle.spline), 0, "", cycle.programs, {}};
+    chosen = {static_cast<int>(cycle.basis.degree()),
+              static_cast<int>(cycle.basis.pieces()),
+              std::move(cycle.spline),
+              0,
+              "",
+              cycle.programs,
+              {}};
+    basis = std::move(cycle.basis);
     chosen.notes.push_back("The cycle is the shortest within the drive's limits for degree " +
-                           std::to_string(cycle.degree) + " and " + std::to_string(cycle.pieces) +
-                           " pieces per section" +
+                           std::to_string(chosen.degree) + " and " + (problem.degree ? "" : "up to ") +
+                           std::to_string(chosen.pieces) + " pieces per section" +
                            (problem.has_free_angles() ? ", at the angles that were found" : "") +
                            (cycle.bound ? ": no law at all has one of " + number(cycle.bound->duration) + " s or less."
                                         : ". Values other than 0 were asked for, or vibration: a shorter cycle may "
@@ -162,8 +169,7 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
     const double objective = evaluate_objective(problem, direct->law).objective;
     bound_law(task, KnownLaw(task, direct->law, task.middle(), objective), chosen, progress);
   } else if (shortest) {
-    const LawBasis basis(task, chosen.degree, chosen.pieces);
-    const KnownLaw law(task, basis, in_weights(problem, task, basis, chosen.spline));
+    const KnownLaw law(task, *basis, in_weights(problem, task, *basis, chosen.spline));
     bound_law(task, law, chosen, progress);
   } else {
     check_lengths(problem, task, problem.degree.value_or(least_degree(task)));
@@ -172,15 +178,15 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
   result.degree = chosen.degree;
   result.pieces = chosen.pieces;
   solution.notes = chosen.notes;
-  const LawBasis basis(task, chosen.degree, chosen.pieces);
+  if (!basis) basis.emplace(task, chosen.degree, chosen.pieces);
   if (problem.objective.then_order > 0 && !shortest) {
     const std::vector<double> times(chosen.spline.breaks.begin(),
                                     chosen.spline.breaks.begin() + static_cast<std::ptrdiff_t>(task.points()));
-    chosen.spline = SplineProgram(task, basis, times).least_rms(problem.objective.then_order, chosen.spline, progress);
+    chosen.spline = SplineProgram(task, *basis, times).least_rms(problem.objective.then_order, chosen.spline, progress);
     ++chosen.programs;
   }
   const SplineResult& spline = chosen.spline;
-  if (!direct) solution.law = to_law(problem, task, basis, spline);
+  if (!direct) solution.law = to_law(problem, task, *basis, spline);
   solution.cycle_duration = *problem.cycle_duration;
   for (std::size_t i = 0; i < task.points(); ++i)
     solution.at.push_back(task.at[i].fixed()
@@ -206,7 +212,7 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
     const std::vector<double> times(spline.breaks.begin(),
                                     spline.breaks.begin() + static_cast<std::ptrdiff_t>(task.points()));
     ++solution.systems;
-    const SplineResult least = SplineProgram(task, basis, times).solve({}, progress);
+    const SplineResult least = SplineProgram(task, *basis, times).solve({}, progress);
     if (least.feasible) solution.lower = std::min(least.lower, solution.value.objective);
   } else {
     solution.lower = std::min(spline.lower, solution.value.objective);

@@ -55,8 +55,7 @@ std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const LawBasis& 
   for (std::size_t k = 0; k < steps; ++k) {
     const std::size_t section = (vibration.from + k) % sections;
     const SectionBasis& own = basis.section(section);
-    const double length = breaks[section + 1] - breaks[section],
-                 piece_length = length / static_cast<double>(own.pieces());
+    const double length = breaks[section + 1] - breaks[section];
     weights.resize(own.size());
     if (task.is_given(section)) {
       const GivenSection& given = task.given[section]->law;
@@ -79,12 +78,13 @@ std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const LawBasis& 
       t += length;
       continue;
     }
-    const std::size_t parts = parts_of(piece_length);
-    for (std::size_t piece = 0; piece < own.pieces(); ++piece)
+    for (std::size_t piece = 0; piece < own.pieces(); ++piece) {
+      const double piece_length = length * own.length(piece);
+      const std::size_t parts = parts_of(piece_length);
       for (std::size_t part = 0; part < parts; ++part)
         for (std::size_t q = 0; q < rule.node.size(); ++q) {
           const double v = (static_cast<double>(part) + rule.node[q]) / static_cast<double>(parts);
-          const double at = t + (static_cast<double>(piece) + v) * piece_length;
+          const double at = t + length * own.begin(piece) + v * piece_length;
           const double factor = rule.weight[q] * piece_length / static_cast<double>(parts) / (length * length) *
                                 std::exp(vibration.decay * (at - whole));
           own.weights(piece, v, 2, weights.data());
@@ -95,6 +95,7 @@ std::array<VibrationRow, 2> vibration_rows(const LawTask& task, const LawBasis& 
             imaginary[basis.first(section) + i] += s * weight;
           }
         }
+    }
     t += length;
   }
   for (std::size_t i = 0; i < real.size(); ++i)

@@ -48,7 +48,7 @@ double coefficient_of_variable(double length, std::size_t k) {
 }
 
 LawBasis::LawBasis(const LawTask& task, int degree, int pieces)
-    : degree_(static_cast<std::size_t>(degree)), pieces_(static_cast<std::size_t>(pieces)), first_{0} {
+    : degree_(static_cast<std::size_t>(degree)), pieces_(static_cast<std::size_t>(pieces)) {
   constexpr double little = 1e-6;
   const std::vector<double> breaks = task.breaks(task.middle());
   for (std::size_t s = 0; s < task.sections(); ++s) {
@@ -58,10 +58,34 @@ LawBasis::LawBasis(const LawTask& task, int degree, int pieces)
     while (count > 1 && (pieces % count != 0 || !(published_rounding(task, degree, length / count, order) <=
                                                   little * LawTask::usual_peaks[static_cast<std::size_t>(order)])))
       --count;
-    of_section_.push_back(static_cast<std::size_t>(count));
-    if (!bases_.contains(of_section_.back())) bases_.emplace(of_section_.back(), SectionBasis(degree, count));
-    first_.push_back(first_.back() + section(s).size());
+    add_section(equal_breaks(count));
   }
+}
+
+LawBasis::LawBasis(int degree, const std::vector<std::vector<double>>& breaks)
+    : degree_(static_cast<std::size_t>(degree)), pieces_(0) {
+  for (const std::vector<double>& each : breaks) {
+    add_section(each);
+    pieces_ = std::max(pieces_, each.size() - 1);
+  }
+}
+
+std::size_t LawBasis::find(const std::vector<double>& breaks) {
+  const auto same = [](double a, double b) { return std::abs(a - b) < 1e-15; };
+  std::size_t i = 0;
+  while (i < bases_.size() &&
+         !std::equal(breaks.begin(), breaks.end(), bases_[i].breaks().begin(), bases_[i].breaks().end(), same))
+    ++i;
+  if (i == bases_.size()) bases_.emplace_back(static_cast<int>(degree_), breaks);
+  return i;
+}
+
+void LawBasis::add_section(const std::vector<double>& breaks) {
+  std::vector<double> backwards;
+  for (auto at = breaks.rbegin(); at != breaks.rend(); ++at) backwards.push_back(1 - *at);
+  of_section_.push_back(find(breaks));
+  mirrored_.push_back(find(backwards));
+  first_.push_back(first_.back() + bases_[of_section_.back()].size());
 }
 
 }  // namespace bahnwerk::cam

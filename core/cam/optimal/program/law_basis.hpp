@@ -1,7 +1,7 @@
 #pragma once
 /// The splines of a whole law: one basis per section, with the same degree everywhere.
 #include <cstddef>
-#include <map>
+#include <deque>
 #include <vector>
 
 #include "core/cam/optimal/law_task.hpp"
@@ -32,16 +32,24 @@ class LawBasis {
   /// below 1e-6 of what such a derivative has; at least 1. Lengths are those in the middle of the points' ranges.
   LawBasis(const LawTask& task, int degree, int pieces);
 
+  /// `breaks` has the ends of the pieces of each section, from 0 to 1.
+  LawBasis(int degree, const std::vector<std::vector<double>>& breaks);
+
   std::size_t degree() const { return degree_; }
-  std::size_t pieces() const { return pieces_; }  ///< the number asked for
-  const SectionBasis& section(std::size_t s) const { return bases_.at(of_section_[s]); }
+  std::size_t pieces() const { return pieces_; }  ///< the number asked for, or the largest one of a section
+  const SectionBasis& section(std::size_t s) const { return bases_[of_section_[s]]; }
+  /// Returns the basis of the section seen backwards.
+  const SectionBasis& mirrored(std::size_t s) const { return bases_[mirrored_[s]]; }
   std::size_t first(std::size_t s) const { return first_[s]; }  ///< number of a section's first coefficient
   std::size_t size() const { return first_.back(); }            ///< coefficients of all sections
 
  private:
+  std::size_t find(const std::vector<double>& breaks);
+  void add_section(const std::vector<double>& breaks);
+
   std::size_t degree_, pieces_;
-  std::map<std::size_t, SectionBasis> bases_;  // by number of pieces
-  std::vector<std::size_t> of_section_, first_;
+  std::deque<SectionBasis> bases_;  // bases of different breaks
+  std::vector<std::size_t> of_section_, mirrored_, first_{0};
 };
 
 }  // namespace bahnwerk::cam

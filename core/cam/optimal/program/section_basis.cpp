@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bahnwerk::cam {
 namespace {
@@ -10,16 +11,22 @@ constexpr std::size_t max_order_count = 23;  // coefficients of degree 22
 
 }  // namespace
 
-SectionBasis::SectionBasis(int degree, int pieces)
-    : degree_(static_cast<std::size_t>(degree)), pieces_(static_cast<std::size_t>(pieces)) {
+std::vector<double> equal_breaks(int pieces) {
+  std::vector<double> out;
+  for (int i = 0; i <= pieces; ++i) out.push_back(static_cast<double>(i) / pieces);
+  return out;
+}
+
+SectionBasis::SectionBasis(int degree, int pieces) : SectionBasis(degree, equal_breaks(pieces)) {}
+
+SectionBasis::SectionBasis(int degree, std::vector<double> breaks)
+    : degree_(static_cast<std::size_t>(degree)), pieces_(breaks.size() - 1), breaks_(std::move(breaks)) {
   const std::size_t n = degree_ - states, count = n + 1, whole = size();
   for (std::size_t r = 0; r <= states; ++r) to_bernstein_[r].assign(pieces_ * (degree_ - r + 1) * whole, 0);
-  const auto knot = [&](std::size_t i) {  // knot i, in pieces
-    return i <= n ? 0.0 : static_cast<double>(std::min(i - n, pieces_));
-  };
+  const auto knot = [&](std::size_t i) { return i <= n ? 0.0 : breaks_[std::min(i - n, pieces_)]; };
   std::vector<double> d(count * count);
   for (std::size_t p = 0; p < pieces_; ++p) {
-    const double a = static_cast<double>(p), b = a + 1;
+    const double a = breaks_[p], b = breaks_[p + 1];
     for (std::size_t j = 0; j < count; ++j) {
       // Bernstein coefficient j is the blossom at a (n − j times) and b (j times): de Boor's algorithm.
       std::fill(d.begin(), d.end(), 0.0);
@@ -39,8 +46,8 @@ SectionBasis::SectionBasis(int degree, int pieces)
   // Each lower order is the integral: it begins where the piece before ends.
   for (std::size_t r = states; r-- > 0;) {
     const std::size_t rows = degree_ - r;  // Bernstein coefficients of the derivative of order r + 1
-    const double step = 1 / (static_cast<double>(rows) * static_cast<double>(pieces_));
     for (std::size_t p = 0; p < pieces_; ++p) {
+      const double step = length(p) / static_cast<double>(rows);
       double* out = to_bernstein_[r].data() + p * (rows + 1) * whole;
       if (p == 0)
         out[r] = 1;
@@ -74,7 +81,7 @@ void SectionBasis::weights(std::size_t piece, double v, std::size_t order, doubl
   std::array<double, max_order_count> values{};
   bernstein_values(n - order, v, values.data());
   double factor = 1;
-  for (std::size_t k = lower; k < order; ++k) factor *= static_cast<double>((n - k) * pieces_);
+  for (std::size_t k = lower; k < order; ++k) factor *= static_cast<double>(n - k) / length(piece);
   // The adjoint of order − 3 differences.
   for (std::size_t k = n - order; k < n - lower; ++k) {
     double last = 0;
@@ -93,11 +100,23 @@ void SectionBasis::weights(std::size_t piece, double v, std::size_t order, doubl
 }
 
 void SectionBasis::bernstein(std::size_t piece, const double* coefficients, std::size_t order, double* out) const {
-  for (std::size_t j = 0; j <= degree_ - order; ++j) {
-    const double* const from = row(piece, order, j);
+  const auto value = [&](std::size_t r, std::size_t j) {
+    const double* const from = row(piece, r, j);
     double sum = 0;
     for (std::size_t k = size(); k-- > 0;) sum += from[k] * coefficients[k];
-    out[j] = sum;
+    return sum;
+  };
+  for (std::size_t j = 0; j <= degree_ - states; ++j) out[j] = value(states, j);
+  // The integrals: what rounds the states at the piece's begin does not round the derivatives inside.
+  for (std::size_t r = states; r-- > order;) {
+    const double step = length(piece) / static_cast<double>(degree_ - r);
+    double sum = value(r, 0);
+    for (std::size_t j = 0; j < degree_ - r; ++j) {
+      const double slope = out[j];
+      out[j] = sum;
+      sum += step * slope;
+    }
+    out[degree_ - r] = sum;
   }
 }
 
@@ -106,9 +125,8 @@ std::vector<double> SectionBasis::sites(std::size_t order) const {
   std::vector<double> out;
   for (std::size_t j = 0; j < n + pieces_; ++j) {
     double sum = 0;
-    for (std::size_t k = 1; k <= n; ++k)
-      sum += std::clamp(static_cast<double>(j + k) - static_cast<double>(n), 0.0, static_cast<double>(pieces_));
-    out.push_back((n > 0 ? sum / static_cast<double>(n) : static_cast<double>(j) + 0.5) / static_cast<double>(pieces_));
+    for (std::size_t k = 1; k <= n; ++k) sum += breaks_[std::min(std::max(j + k, n) - n, pieces_)];
+    out.push_back(n > 0 ? sum / static_cast<double>(n) : begin(j) + length(j) / 2);
   }
   return out;
 }

@@ -113,24 +113,25 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
   std::array<double, limited_orders> apart = differences(law);
   std::size_t order = 0;
   while (order + 1 < limited_orders && std::isfinite(apart[order + 1])) ++order;
-  std::map<std::size_t, Eigen::PartialPivLU<Eigen::MatrixXd>> factors;  // of collocation matrices, by pieces
+  std::map<const SectionBasis*, Eigen::PartialPivLU<Eigen::MatrixXd>> factors;  // of collocation matrices
   std::vector<double> weights;
   for (std::size_t section = 0; section < task_.sections(); ++section) {
     if (task_.is_given(section)) continue;  // the variables of a given section are 0
     const SectionBasis& basis = basis_.section(section);
     const auto size = static_cast<Eigen::Index>(basis.size() - order);
-    auto known = factors.find(basis.pieces());
+    auto known = factors.find(&basis);
     if (known == factors.end()) {
       Eigen::MatrixXd collocation(size, size);
       weights.resize(basis.size());
       const std::vector<double> sites = basis.sites(order);
+      std::size_t piece = 0;
       for (Eigen::Index j = 0; j < size; ++j) {
-        const double u = sites[static_cast<std::size_t>(j)] * static_cast<double>(basis.pieces());
-        const std::size_t piece = std::min(basis.pieces() - 1, static_cast<std::size_t>(u));
-        basis.weights(piece, u - static_cast<double>(piece), order, weights.data());
+        const double u = sites[static_cast<std::size_t>(j)];
+        while (piece + 1 < basis.pieces() && u >= basis.begin(piece + 1)) ++piece;
+        basis.weights(piece, (u - basis.begin(piece)) / basis.length(piece), order, weights.data());
         for (Eigen::Index k = 0; k < size; ++k) collocation(k, j) = weights[order + static_cast<std::size_t>(k)];
       }
-      known = factors.emplace(basis.pieces(), collocation).first;
+      known = factors.emplace(&basis, collocation).first;
     }
     const double* const residual = dual.residual.data() + basis_.first(section);
     const double* const here = point_.x.data() + basis_.first(section);

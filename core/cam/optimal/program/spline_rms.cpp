@@ -22,8 +22,8 @@ void SplineProgram::add_squares(int order) {
   std::vector<double> weights;
   for (std::size_t section = 0; section < task_.sections(); ++section) {
     if (task_.is_given(section)) continue;
-    const double length = lengths_[section] / static_cast<double>(basis_.section(section).pieces());
-    for (std::size_t piece = 0; piece < basis_.section(section).pieces(); ++piece)
+    for (std::size_t piece = 0; piece < basis_.section(section).pieces(); ++piece) {
+      const double length = lengths_[section] * basis_.section(section).length(piece);
       for (const auto& [place, weight] : gauss_legendre<20>()) {
         law_weights(section, piece, (1 + place) / 2, order, weights);
         for (double& each : weights) each *= scale * std::sqrt(weight / 2 * length);
@@ -31,6 +31,7 @@ void SplineProgram::add_squares(int order) {
         set_row(section, weights, row);
         band_.add_square(row.first, row.weights);
       }
+    }
   }
 }
 
@@ -39,8 +40,8 @@ double SplineProgram::mean_square(int order) const {
   double sum = 0;
   for (std::size_t section = 0; section < task_.sections(); ++section) {
     if (task_.is_given(section)) continue;
-    const double length = lengths_[section] / static_cast<double>(basis_.section(section).pieces());
     for (std::size_t piece = 0; piece < basis_.section(section).pieces(); ++piece) {
+      const double length = lengths_[section] * basis_.section(section).length(piece);
       const std::vector<double> b = derivative(section, piece, order);
       for (const auto& [place, weight] : gauss_legendre<20>()) {
         const double value = evaluate_bernstein(b, (1 + place) / 2);

@@ -26,11 +26,11 @@ bool SplineProgram::known_at(bool end, std::size_t section, int order) const {
 }
 
 /// Writes the weights of s^(order) from the section's end, where the states are numbers: seen backwards the section is
-/// one of the same basis. Returns what these numbers contribute. Near the end the weights are as small as the value;
-/// those from the begin would only cancel.
+/// one of the mirrored basis. Returns what these numbers contribute. Near the end the weights are as small as the
+/// value; those from the begin would only cancel.
 double SplineProgram::law_weights_from_end(std::size_t section, std::size_t piece, double v, int order,
                                            std::vector<double>& out) const {
-  const SectionBasis& basis = basis_.section(section);
+  const SectionBasis& basis = basis_.mirrored(section);
   std::vector<double> mirrored(basis.size());
   basis.weights(basis.pieces() - 1 - piece, 1 - v, static_cast<std::size_t>(order), mirrored.data());
   const double length = lengths_[section], sign = order % 2 == 0 ? 1 : -1;
@@ -49,8 +49,8 @@ double SplineProgram::law_weights_from_end(std::size_t section, std::size_t piec
 /// the weights and returned: what is left is as small near that end as the value's distance from them, and the row can
 /// be scaled to say what the limit asks of the derivatives that are free.
 double SplineProgram::limit_weights(const LawSample& at, std::vector<double>& out) const {
-  const double place =
-      (static_cast<double>(at.piece) + at.v) / static_cast<double>(basis_.section(at.section).pieces());
+  const SectionBasis& basis = basis_.section(at.section);
+  const double place = basis.begin(at.piece) + at.v * basis.length(at.piece);
   if (reference_ || at.order >= static_cast<int>(SectionBasis::states) ||
       !known_at(place > 0.5, at.section, at.order)) {
     law_weights(at.section, at.piece, at.v, at.order, out);

@@ -9,7 +9,7 @@
 namespace bahnwerk::cam {
 
 AllLawsBound bound_over_angles(const LawTask& task, const KnownLaw& law, std::size_t programs, double gap,
-                               Progress& progress) {
+                               Progress& progress, double enough) {
   struct Box {
     double bound;
     std::vector<Range> ranges;
@@ -31,7 +31,7 @@ AllLawsBound bound_over_angles(const LawTask& task, const KnownLaw& law, std::si
   ++result.programs;
   while (!open.empty()) {
     const Box box = open.top();
-    if (box.bound >= most * (1 - gap)) break;
+    if (box.bound >= most * (1 - gap) || box.bound > enough) break;
     if (result.programs + 2 > programs) {
       result.complete = false;
       break;

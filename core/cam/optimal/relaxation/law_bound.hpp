@@ -2,6 +2,7 @@
 /// A lower bound of J over all laws, of whatever degree and with whatever angles in their ranges: the relaxation over
 /// boxes of angles.
 #include <cstddef>
+#include <limits>
 
 #include "core/cam/optimal/law_task.hpp"
 #include "core/cam/optimal/sections/known_law.hpp"
@@ -17,9 +18,9 @@ struct AllLawsBound {
   bool complete = true;      ///< the boxes left do not matter at the asked gap
 };
 /// Bounds J over all angles in their ranges by branch and bound over boxes of angles, best first, with at most
-/// `programs` convex programs. It stops when no box has a bound more than `gap` below the known law. It is
-/// deterministic: it counts programs, not time.
+/// `programs` convex programs. It stops when no box has a bound more than `gap` below the known law, or all have one
+/// above `enough`. It is deterministic: it counts programs, not time.
 AllLawsBound bound_over_angles(const LawTask& task, const KnownLaw& law, std::size_t programs, double gap,
-                               Progress& progress);
+                               Progress& progress, double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace bahnwerk::cam

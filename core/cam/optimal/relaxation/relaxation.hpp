@@ -4,7 +4,8 @@
 /// In a cell of length h with |s‴| ≤ J₃ the moments ∫ (1 − τ)^k s‴ dτ, τ = t/h, are differences of node values, and for
 /// every polynomial d of degree 2 |∫ d s‴| ≤ J₃ ∫ |d|: seven polynomials enclose the moments' convex body. Means and
 /// node values of velocity and acceleration do not exceed their peaks. A point whose angle is in a range of width w is
-/// relaxed at the middle of the range: its order-r value may be missed by w/2 times the peak of order r + 1. The bound
+/// relaxed at the middle of the range: its order-r value may be missed by w/2 times the peak of order r + 1, or by w/2
+/// times what that derivative can become between here and a point where it is a number. The bound
 /// is the dual's value, computed from the multipliers, and holds whatever they are.
 #include <cstddef>
 #include <vector>

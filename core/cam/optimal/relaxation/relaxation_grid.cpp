@@ -18,8 +18,9 @@ class Grid {
     if (task_.periodic) at.push_back(at.front() + task_.cycle);
     const double whole = at.back() - at.front();
     double free_length = 0;
+    std::size_t free_sections = 0;
     for (std::size_t s = 0; s < task_.sections(); ++s)
-      if (!is_known(task_, ranges_, s)) free_length += at[s + 1] - at[s];
+      if (!is_known(task_, ranges_, s)) free_length += at[s + 1] - at[s], ++free_sections;
     for (std::size_t i = 0; i < at.size(); ++i) {
       const std::size_t point = i < points ? i : 0;
       const bool last = i + 1 == at.size(), inside = i > 0 && !last;
@@ -40,8 +41,11 @@ class Grid {
       if (last || known_behind) continue;
       const double length = at[i + 1] - at[i];
       if (!(length > 1e-12 * whole)) continue;
-      const auto count = std::max<std::size_t>(
-          4, static_cast<std::size_t>(std::ceil(static_cast<double>(cells) * length / free_length)));
+      // At a drive's limits a short section has as many changes as a long one.
+      const double share = task_.largest_peak ? (length / free_length + 1 / static_cast<double>(free_sections)) / 2
+                                              : length / free_length;
+      const auto count =
+          std::max<std::size_t>(4, static_cast<std::size_t>(std::ceil(static_cast<double>(cells) * share)));
       for (std::size_t k = 1; k < count; ++k) {
         out_.nodes.push_back({at[i] + length * static_cast<double>(k) / static_cast<double>(count), LawTask::none});
         add_cell();

@@ -35,7 +35,8 @@ struct RelaxationGrid {
 /// times.
 bool is_known(const LawTask& task, const std::vector<Range>& ranges, std::size_t section);
 
-/// Lays a grid of about `cells` cells, 4 per section at least. `ranges` has one entry per point, ascending as tighten()
+/// Lays a grid of about `cells` cells, 4 per section at least, by the sections' lengths; with a drive half of them by
+/// the number of sections. `ranges` has one entry per point, ascending as tighten()
 /// leaves them.
 RelaxationGrid lay_grid(const LawTask& task, const std::vector<Range>& ranges, std::size_t cells);
 

@@ -152,6 +152,27 @@ void RelaxationProgram::row(std::size_t first, std::span<const double> weights, 
   band_.add_row(row);
 }
 
+/// Returns the tightest bound of |s^(order)| over a point's range of times: the peak of the order, or, where the
+/// derivative is a number at another point, what the peak of the next order can change until then.
+RelaxationProgram::Reach RelaxationProgram::reach_of(std::size_t point, int order) const {
+  const auto r = static_cast<std::size_t>(order);
+  Reach out{0, 0, BorderedRow::unlimited};
+  const auto take = [&](const Reach& each) {
+    if (each.known + each.elastic < out.known + out.elastic) out = each;
+  };
+  if (counted_[r]) take({order, 0, unit_[r]});
+  if (r + 1 >= limited_orders || !counted_[r + 1]) return out;
+  for (std::size_t p = 0; p < task_.points(); ++p)
+    if (task_.joint(p) && task_.continuity[p] < order) return out;
+  for (const LawTask::Condition& condition : task_.conditions) {
+    if (condition.order != order || !condition.range.fixed()) continue;
+    const Range &from = ranges_[condition.point], &here = ranges_[point];
+    const double time = std::max(here.max - from.min, from.max - here.min);
+    take({order + 1, std::abs(condition.range.min), time * unit_[r + 1]});
+  }
+  return out;
+}
+
 /// Adds ranges at points, and values where the angle is free.
 void RelaxationProgram::add_points() {
   for (std::size_t i = 0; i < grid_.nodes.size(); ++i) {
@@ -162,11 +183,15 @@ void RelaxationProgram::add_points() {
       if (condition.point != node.point || condition.order > 2) continue;
       const auto r = static_cast<std::size_t>(condition.order);
       if (pinned_[variable(i, condition.order)]) continue;
-      const auto next = r + 1;
-      if (reach > 0 && (!counted_[next] || task_.continuity[node.point] < condition.order)) continue;
-      const double one[] = {1};
-      row(variable(i, condition.order), one, {condition.range.min / node_unit_[r], condition.range.max / node_unit_[r]},
-          reach > 0 ? condition.order + 1 : 0, reach * unit_[next] / node_unit_[r]);
+      Reach next{0, 0, 0};
+      if (reach > 0) {
+        next = reach_of(node.point, condition.order + 1);
+        if (next.order == 0 || task_.continuity[node.point] < condition.order) continue;
+      }
+      const double one[] = {1}, known = reach * next.known;
+      row(variable(i, condition.order), one,
+          {(condition.range.min - known) / node_unit_[r], (condition.range.max + known) / node_unit_[r]}, next.order,
+          reach * next.elastic / node_unit_[r]);
     }
   }
 }

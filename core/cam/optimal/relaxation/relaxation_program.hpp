@@ -30,11 +30,17 @@ class RelaxationProgram {
   double objective_unit() const { return scale_; }
 
  private:
+  /// |s^(r)| ≤ known + elastic · peak of order `order`, in the task's units.
+  struct Reach {
+    int order;
+    double known, elastic;
+  };
   void add_nodes();
   void pin(std::size_t node, int order, double value);
   bool join_constant_sections(std::size_t node);
   void add_floors();
   void add_points();
+  Reach reach_of(std::size_t point, int order) const;
   void add_cells();
   /// Makes variable a be b + more.
   void equal(std::size_t a, std::size_t b, bool far, double more = 0);

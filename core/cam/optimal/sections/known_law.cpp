@@ -27,10 +27,10 @@ KnownLaw::KnownLaw(const LawTask& task, const LawBasis& basis, const SplineResul
       continue;
     }
     const SectionBasis& own = basis.section(section);
-    const double length = (spline.breaks[section + 1] - spline.breaks[section]) / static_cast<double>(own.pieces());
+    const double length = spline.breaks[section + 1] - spline.breaks[section];
     for (std::size_t piece = 0; piece < own.pieces(); ++piece) {
       own.bernstein(piece, spline.coefficients.data() + basis.first(section), 0, b.data());
-      pieces_.push_back({spline.breaks[section] + static_cast<double>(piece) * length, length, b});
+      pieces_.push_back({spline.breaks[section] + length * own.begin(piece), length * own.length(piece), b});
     }
   }
   for (int r = 1; r < limited_orders; ++r) {

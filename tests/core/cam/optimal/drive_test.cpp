@@ -43,6 +43,20 @@ TEST(Drive, ManyPiecesComeCloseToSevenSegments) {
   EXPECT_LE(cycle.duration, bound * 1.03);
 }
 
+/// Sections between points that do not rest, where velocity is reached in a small part of them.
+TEST(Drive, PiecesAreHalvedUntilTheCycleIsNextToItsBound) {
+  SilentProgress progress;
+  for (const DriveLimits& drive : {DriveLimits{225, 2817, 4.9e6}, DriveLimits{900, 5000, 1e5}}) {
+    MotionLawProblem problem = driven(53.5, drive);
+    problem.degree.reset();
+    problem.points.insert(problem.points.begin() + 1, testing::point_at(83, {testing::fixed(5.7)}));
+    const ShortestCycle cycle = find_shortest_cycle(problem, progress);
+    ASSERT_TRUE(cycle.bound);
+    EXPECT_GE(cycle.duration, cycle.bound->duration);
+    EXPECT_LE(cycle.duration, cycle.bound->duration * 1.003);
+  }
+}
+
 /// A law that does not rest at its end: stretching changes its end.
 TEST(Drive, ValuesOtherThanZeroAreSaidToBeNoProof) {
   SilentProgress progress;

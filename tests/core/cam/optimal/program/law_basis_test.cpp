@@ -23,6 +23,14 @@ TEST(LawBasis, ShortSectionsHaveFewerPiecesThatDivideTheOthers) {
   EXPECT_EQ(basis.size(), basis.first(2) + basis.section(2).size());
 }
 
+TEST(LawBasis, SectionsOfEqualPiecesAreTheirOwnMirrors) {
+  const LawBasis equal(with_short_section(10), 3, 12);
+  EXPECT_EQ(&equal.section(0), &equal.mirrored(0));
+  const LawBasis uneven(3, {{0, 0.25, 1}, {0, 0.75, 1}});
+  EXPECT_EQ(&uneven.section(0), &uneven.mirrored(1));
+  EXPECT_EQ(uneven.size(), 10u);
+}
+
 TEST(LawBasis, WhatRoundingHidesIsNotExpressible) {
   EXPECT_TRUE(is_expressible(with_short_section(0.1), 7));
   EXPECT_FALSE(is_expressible(with_short_section(1e-5), 4));

@@ -40,6 +40,26 @@ TEST(SectionBasis, PiecesJoinUpToOneLessThanTheDegree) {
     }
 }
 
+TEST(SectionBasis, PiecesOfAnyLengthJoinUpToOneLessThanTheDegree) {
+  const std::vector<double> breaks{0, 0.001, 0.2, 0.25, 0.9, 1};
+  for (const int degree : {3, 4, 6}) {
+    const SectionBasis basis(degree, breaks);
+    const std::vector<double> c = some_coefficients(basis.size());
+    for (std::size_t piece = 0; piece + 1 < basis.pieces(); ++piece)
+      for (std::size_t r = 0; r < 3; ++r)
+        EXPECT_NEAR(value_of(basis, c, piece, 1, r), value_of(basis, c, piece + 1, 0, r), 1e-12) << degree << r;
+    std::vector<double> b(static_cast<std::size_t>(degree) + 1);
+    for (std::size_t piece = 0; piece < basis.pieces(); ++piece) {
+      basis.bernstein(piece, c.data(), 0, b.data());
+      EXPECT_NEAR(b.back(), value_of(basis, c, piece, 1, 0), 1e-14);
+      // The second difference of published coefficients is the acceleration, but for their own last digits.
+      const double h = basis.length(piece), n = degree;
+      EXPECT_NEAR((b[2] - 2 * b[1] + b[0]) * n * (n - 1) / (h * h), value_of(basis, c, piece, 0, 2),
+                  1e-12 + 16 * n * n * 2.3e-16 / (h * h));
+    }
+  }
+}
+
 /// The states are the derivatives at the begin; with constant third derivatives the spline is a cubic.
 TEST(SectionBasis, ReproducesCubics) {
   const SectionBasis basis(5, 3);
