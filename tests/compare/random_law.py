@@ -205,7 +205,7 @@ def check(runner, group, spec):
     if code == 0 and group == "strokes":
         stroke = abs(spec["points"][1]["position"] - spec["points"][0]["position"])
         best = closed_form(stroke, *(spec["drive"][k] for k in ("velocity", "acceleration", "jerk")))
-        if abs(result["summary"]["cycle_duration"] / best - 1) > 1e-8:  # rounding of positions beside short ramps
+        if abs(result["summary"]["cycle_duration"] / best - 1) > 1e-9:
             faults.append(f"cycle {result['summary']['cycle_duration']!r}, closed form {best!r}")
     runner.refused += code == 2
     return faults

@@ -1,6 +1,7 @@
 #include "core/cam/optimal/rest_to_rest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -9,7 +10,8 @@
 namespace bahnwerk::cam {
 namespace {
 
-constexpr double ramp = 1e-3;  // share of a stroke's duration for what jumps in the bound
+constexpr double within = 4e-10;  // part of a limit by which a peak may be above it
+constexpr double ramp = 1e-3;     // share of a stroke's duration for what jumps in the bound
 
 /// Durations of the parts of constant jerk (four times), acceleration (twice) and velocity.
 struct Parts {
@@ -63,6 +65,35 @@ bool rests(const MotionLawProblem& problem, std::size_t p) {
   return true;
 }
 
+/// Returns the largest part of its limit that a derivative of a cubic takes anywhere, less 1.
+double excess(const std::array<double, 4>& b, double duration, const DriveLimits& limit) {
+  const double first[] = {3 * (b[1] - b[0]) / duration, 3 * (b[2] - b[1]) / duration, 3 * (b[3] - b[2]) / duration};
+  const double second[] = {2 * (first[1] - first[0]) / duration, 2 * (first[2] - first[1]) / duration};
+  const double third = (second[1] - second[0]) / duration;
+  return std::max({std::abs(first[0]) / limit.velocity, std::abs(first[2]) / limit.velocity,
+                   std::abs(second[0]) / limit.acceleration, std::abs(second[1]) / limit.acceleration,
+                   std::abs(third) / limit.jerk}) -
+         1;
+}
+
+/// Moves the inner coefficients of a short piece by a few of their last digits where rounding takes its derivatives
+/// above the limits; its ends stay.
+void round_inward(std::array<double, 4>& b, double duration, const DriveLimits& limit) {
+  constexpr int most = 3;
+  const auto moved = [](double value, int digits) {
+    for (int k = 0; k < std::abs(digits); ++k) value = std::nextafter(value, digits > 0 ? HUGE_VAL : -HUGE_VAL);
+    return value;
+  };
+  double least = excess(b, duration, limit);
+  const std::array<double, 4> given = b;
+  for (int reach = 1; reach <= most && least > within; ++reach)
+    for (int i = -reach; i <= reach; ++i)
+      for (int j = -reach; j <= reach; ++j) {
+        const std::array<double, 4> other{given[0], moved(given[1], i), moved(given[2], j), given[3]};
+        if (const double now = excess(other, duration, limit); now < least) least = now, b = other;
+      }
+}
+
 class Builder {
  public:
   Builder(const MotionLawProblem& problem, std::vector<Parts> parts) : problem_(problem), parts_(std::move(parts)) {}
@@ -76,6 +107,12 @@ class Builder {
     const std::vector<double> times = section_times(timed, at);
     for (std::size_t s = 0; s < problem_.sections(); ++s) section(s, times[s], times[s + 1]);
     breaks_.push_back(times.back());
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      if (std::vector<double>& b = pieces_[i].bernstein; b.size() == 4) {
+        std::array<double, 4> cubic{b[0], b[1], b[2], b[3]};
+        round_inward(cubic, breaks_[i + 1] - breaks_[i], *problem_.drive);
+        b.assign(cubic.begin(), cubic.end());
+      }
     return {breaks_, pieces_, problem_.periodic, problem_.travel};
   }
 
@@ -129,14 +166,16 @@ class Builder {
   std::vector<LawPiece> pieces_;
 };
 
-/// By how much two ways to form a derivative from rounded coefficients may differ.
+/// By how much two ways to form a derivative from coefficients may differ: differences of neighbours are exact.
 double rounding(const CamLaw& law, int order) {
   double out = 0;
   for (std::size_t i = 0; i < law.pieces(); ++i) {
     const auto& b = law.piece(i).bernstein;
-    double now = std::numeric_limits<double>::epsilon() * std::max(std::abs(b.front()), std::abs(b.back()));
+    double now = 0;
+    for (std::size_t k = 0; k + 1 < b.size(); ++k) now = std::max(now, std::abs(b[k + 1] - b[k]));
+    now *= 3 * std::numeric_limits<double>::epsilon() / law.piece_duration(i);
     if (b.size() == 2 && order > 1) continue;
-    for (int k = 0; k < order; ++k) now *= 2 * static_cast<double>(3 - k) / law.piece_duration(i);
+    for (int k = 1; k < order; ++k) now *= 2 * static_cast<double>(3 - k) / law.piece_duration(i);
     out = std::max(out, now);
   }
   return out;
@@ -179,7 +218,7 @@ std::optional<RestToRest> rest_to_rest(const MotionLawProblem& problem) {
     double exceeded = 0;
     for (int r = 1; r < limited_orders; ++r) {
       const double most = out.law.peak(r).value + rounding(out.law, r);
-      exceeded = std::max(exceeded, std::pow(most / (limit[r] * (1 + 8e-10)), 1.0 / r));
+      exceeded = std::max(exceeded, std::pow(most / (limit[r] * (1 + 2 * within)), 1.0 / r));
     }
     if (exceeded <= 1) break;
     out.duration *= 1 + 1.2 * (exceeded - 1);

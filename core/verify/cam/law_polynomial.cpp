@@ -29,10 +29,13 @@ std::vector<double> derivative_coefficients(const std::vector<double>& b, double
   if (order > n) return {0};
   std::vector<double> out;
   for (int i = 0; i + order <= n; ++i) {
+    // The binomials' sum with alternating signs is 0: distances from the first coefficient give the same difference,
+    // without the rounding of multiples of positions.
+    const auto first = static_cast<std::size_t>(i);
+    const double from = order > 0 ? b[first] : 0;
     double difference = 0, binomial = 1;
     for (int k = 0; k <= order; ++k) {
-      difference +=
-          ((order - k) % 2 == 0 ? binomial : -binomial) * b[static_cast<std::size_t>(i) + static_cast<std::size_t>(k)];
+      difference += ((order - k) % 2 == 0 ? binomial : -binomial) * (b[first + static_cast<std::size_t>(k)] - from);
       binomial *= static_cast<double>(order - k) / static_cast<double>(k + 1);
     }
     for (int k = 0; k < order; ++k) difference *= static_cast<double>(n - k) / duration;

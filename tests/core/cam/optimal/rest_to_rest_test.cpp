@@ -43,6 +43,23 @@ TEST(RestToRest, MeetsTheSixClosedForms) {
   }
 }
 
+/// Positions have too few digits for the accelerations of ramps that last 20 µs: their coefficients are rounded so that
+/// no derivative is above its limit, and the duration does not grow by it.
+TEST(RestToRest, ShortRampsFarFromZeroMeetTheClosedForm) {
+  for (const double v : {37.0, 110.0})
+    for (const double a : {350.0, 1234.5}) {
+      const double h = 271.3, j = a / 2e-5, duration = h / v + v / a + a / j;
+      MotionLawProblem problem = stroke_within(h, {v, a, j});
+      problem.points[0].values[0] = testing::fixed(518);
+      problem.points[1].values[0] = testing::fixed(518 + h);
+      const auto found = rest_to_rest(problem);
+      ASSERT_TRUE(found);
+      EXPECT_NEAR(found->duration, duration, 1e-9 * duration);
+      EXPECT_LE(found->law.peak(2).value, a * (1 + 1e-9));
+      EXPECT_LE(found->law.peak(3).value, j * (1 + 1e-9));
+    }
+}
+
 TEST(RestToRest, TheLongestSectionDecidesAndOthersAreStretched) {
   MotionLawProblem problem = stroke_within(30, {100, 2500, 1e5});
   problem.points.insert(problem.points.begin() + 1,
