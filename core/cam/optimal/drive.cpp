@@ -67,12 +67,14 @@ class CycleSearch {
   void run() {
     const bool free = task_of(problem_, 1).free_angles();
     shorten(likely_duration(), free ? 1e-4 : problem_.degree ? wanted : 1e-3);
-    if (free)
-      for (int pass = 0; pass < most_passes && choose_angles(pass < 2); ++pass) shorten(result_.duration, 1e-4);
+    const auto move_angles = [&](int wide, double gain) {
+      for (int pass = 0; pass < most_passes && choose_angles(pass < wide, gain); ++pass)
+        shorten(result_.duration, gain);
+    };
+    if (free) move_angles(2, problem_.degree ? 1e-5 : 1e-4);
     if (!problem_.degree) {
       refine();
-      if (free)
-        while (choose_angles(false)) shorten(result_.duration, 1e-5);
+      if (free) move_angles(0, 1e-5);
     }
     shorten(result_.duration, wanted);
     if (monotone_) bound();
@@ -124,7 +126,6 @@ class CycleSearch {
   [[noreturn]] void refuse(double duration) {
     const LawTask task = task_of(problem_, duration);
     explain_infeasible(task, result_.basis, times_, progress_);
-    throw InvalidInput({InputFault{{"drive"}, "no duration was found in which a law keeps these limits"}});
   }
 
   /// Finds the shortest cycle at the chosen angles, to a share `close`; begins with a duration.
@@ -165,13 +166,14 @@ class CycleSearch {
     if (result_.duration == 0) refuse(duration);
   }
 
-  /// Takes the angles with the least peaks in the cycle as it is. Returns whether they leave something to gain.
-  bool choose_angles(bool widely) {
+  /// Takes the angles with the least peaks in the cycle as it is, if they are less by the share `gain`. Returns whether
+  /// it does.
+  bool choose_angles(bool widely, double gain) {
     const LawTask task = task_of(problem_, result_.duration);
     FreeAngles free = widely ? optimise_angles(task, result_.basis, problem_.seed, progress_)
                              : refine_angles(task, result_.basis, times_, progress_);
     result_.programs += free.programs;
-    if (!keeps_limits(free.spline) || free.spline.objective > target() * (1 - 1e-5)) return false;
+    if (!keeps_limits(free.spline) || free.spline.objective > target() * (1 - gain)) return false;
     times_.assign(free.spline.breaks.begin(), free.spline.breaks.begin() + static_cast<std::ptrdiff_t>(times_.size()));
     return true;
   }

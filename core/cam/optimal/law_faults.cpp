@@ -84,7 +84,6 @@ void check_lengths(const MotionLawProblem& problem, const LawTask& task, int deg
 void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
                         Progress& progress, bool all_degrees) {
   const LawConflict conflict = SplineProgram(task, basis, times).find_conflict(progress);
-  if (!conflict.values && conflict.violation < 1e-6) return;
   const bool higher = basis.degree() < max_degree && !all_degrees, more = basis.pieces() < 16 && !all_degrees;
   const std::string advice = std::string(more ? "take more pieces, " : "") +
                              (higher ? more ? "a higher degree, " : "take a higher degree, " : "");
@@ -95,6 +94,11 @@ void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::v
                                                             : " with " + std::to_string(basis.pieces()) + " pieces") +
                                        " per section";
   std::vector<InputFault> faults;
+  if (!conflict.values && conflict.violation < 1e-6)
+    throw InvalidInput({InputFault{{"degree"},
+                                   "the method did not converge for " + degree +
+                                       ", although values, ranges and limits do not contradict each other: take " +
+                                       (basis.pieces() > 1 ? "fewer pieces or " : "") + "another degree"}});
   std::vector<std::size_t> named;  // numbers of the given sections
   for (const std::size_t c : conflict.conditions) {
     if (const std::size_t given = task.conditions[c].given; given != LawTask::none) {
@@ -120,7 +124,13 @@ void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::v
                           " keeps this limit all over the section together with the other conditions named here: " +
                           advice + (advice.empty() ? "" : "or ") + "widen it"});
   std::sort(faults.begin(), faults.end(), [](const InputFault& a, const InputFault& b) { return a.place < b.place; });
-  if (faults.empty()) faults.push_back({{"degree"}, "values and continuity contradict each other for " + degree});
+  if (faults.empty())
+    faults.push_back({{"degree"},
+                      conflict.values
+                          ? "values and continuity contradict each other for " + degree
+                          : "no law was found for " + degree +
+                                ", and none of the values, ranges and limits could be shown to prevent it: take "
+                                "another degree, or move points apart"});
   throw InvalidInput(std::move(faults));
 }
 

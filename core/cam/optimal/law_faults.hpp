@@ -16,9 +16,9 @@ void check_contradictions(const MotionLawProblem& problem, const MotionLawProble
 void check_lengths(const MotionLawProblem& problem, const LawTask& task, int degree);
 
 /// Throws InvalidInput with the values, ranges and limits that stand against each other, by the multipliers of the
-/// program "least violation" (a Farkas certificate); returns where a law exists after all. `all_degrees`: none of the
-/// degrees and pieces has a law.
-void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
-                        Progress& progress, bool all_degrees = false);
+/// program "least violation" (a Farkas certificate), or with the word that the method did not converge where nothing
+/// does. `all_degrees`: none of the degrees and pieces has a law.
+[[noreturn]] void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
+                                     Progress& progress, bool all_degrees = false);
 
 }  // namespace bahnwerk::cam

@@ -53,7 +53,7 @@ JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progr
           std::clamp(times_[i] + point_.x[band_.border_index(time_border_[i])], task_.at[i].min, task_.at[i].max);
   for (std::size_t r = 1; r < limited_orders; ++r)
     if (task_.largest_peak)
-      step.objective = point_.x[band_.border_index(0)];
+      step.objective = unit_objective_ * point_.x[band_.border_index(0)];
     else if (counted(static_cast<int>(r)))
       step.objective += task_.weight[r] * unit_[r] * point_.x[band_.border_index(peak_border_[r])];
   return step;

@@ -62,10 +62,12 @@ bool SplineProgram::find_start() {
 
 void SplineProgram::set_units(const std::array<double, limited_orders>& peaks) {
   unit_[0] = LawTask::usual_peaks[0];
-  if (task_.largest_peak) {  // the limits themselves
-    unit_objective_ = 1;
+  if (task_.largest_peak) {  // the limits, in the ratio in which the first law exceeds them
+    double most = 0;
+    for (std::size_t r = 1; r < limited_orders; ++r) most = std::max(most, task_.weight[r] * peaks[r]);
+    unit_objective_ = most > 0 ? most : 1;
     for (std::size_t r = 1; r < limited_orders; ++r)
-      unit_[r] = counted(static_cast<int>(r)) ? 1 / task_.weight[r] : LawTask::usual_peaks[r];
+      unit_[r] = counted(static_cast<int>(r)) ? unit_objective_ / task_.weight[r] : LawTask::usual_peaks[r];
     band_.set_border_cost(0, 1);
     return;
   }
