@@ -36,6 +36,7 @@ struct MotionPoint {
   std::array<Range, limited_orders> section{};  ///< limits by order, all over the section that begins here
   std::optional<ClassicalLaw> law;              ///< the law of the section that begins here; none: a polynomial
   std::optional<double> inflection;             ///< λ of that law, 0 < λ < 1; none: 0.5
+  SineStraight fractions;                       ///< those of law `sine_straight_combination`
   bool still = false;                           ///< no residual vibration of `vibration` from here on
 
   Range value(int order) const {

@@ -49,8 +49,28 @@ MotionPoint point(const json& p) {
   if (const auto at = p.find("law"); at != p.end())
     out.law = value_of<cam::ClassicalLaw>(at->get<std::string>(), cam::classical_laws);
   if (const auto at = p.find("inflection"); at != p.end()) out.inflection = at->get<double>();
+  if (const auto at = p.find("fractions"); at != p.end())
+    out.fractions = {(*at)["b"].get<double>(), (*at)["c"].get<double>(), (*at)["d"].get<double>()};
   out.still = p.value("still", false);
   return out;
+}
+
+/// Faults of the law `sine_straight_combination`, which has fractions, as no other law.
+std::vector<InputFault> fraction_faults(const json& points, const MotionLawProblem& problem) {
+  std::vector<InputFault> faults;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const bool named = problem.points[i].law == cam::ClassicalLaw::sine_straight_combination;
+    const cam::SineStraight& f = problem.points[i].fractions;
+    if (points[i].contains("fractions") != named)
+      faults.push_back({{"points", std::to_string(i), "fractions"},
+                        named ? "are missing: law sine_straight_combination consists of b, c and d"
+                              : "belong to the law sine_straight_combination: leave them out"});
+    const auto fits = [](double part) { return std::abs(part) < 1e-9 || part >= 0.001; };
+    if (named && !(fits(f.b) && fits(f.c) && fits(f.d) && fits(1 - f.b - f.c - f.d)))
+      faults.push_back({{"points", std::to_string(i), "fractions"},
+                        "each of b, c, d and of 1 - b - c - d has to be 0 or at least 0.001"});
+  }
+  return faults;
 }
 
 /// Replaces the words "dwell" and "monotone" by what they stand for; faults where a section is neither.
@@ -151,6 +171,7 @@ MotionLawRequest request(const json& spec) {
   out.drawings = spec.value("drawings", true);
   note_what_has_no_effect(spec, out);
   std::vector<InputFault> faults = expand_sections(spec["points"], out.problem);
+  for (InputFault& fault : fraction_faults(spec["points"], out.problem)) faults.push_back(std::move(fault));
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   std::vector<InputFault> drive_faults;
   out.drive = read_drive(spec, out.problem, drive_faults, out.notes);

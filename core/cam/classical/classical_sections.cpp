@@ -105,7 +105,7 @@ double scale_of(const GivenSection& given, int order) {
 }  // namespace
 
 GivenSection classical_section(ClassicalLaw law, std::optional<double> inflection, double begin, double end,
-                               const SectionEnds& ends) {
+                               const SectionEnds& ends, const SineStraight& fractions) {
   const double duration = end - begin;
   GivenSection out;
   if (law == ClassicalLaw::straight || (!inflection && law == ClassicalLaw::polynomial_345) ||
@@ -114,7 +114,7 @@ GivenSection classical_section(ClassicalLaw law, std::optional<double> inflectio
     return {{begin, end}, {hermite(k, duration, ends)}};
   }
   const double lambda = inflection.value_or(0.5), h = ends.to[0] - ends.from[0];
-  if (const std::vector<HalfLawPiece> whole = whole_law(law); !whole.empty()) {
+  if (const std::vector<HalfLawPiece> whole = whole_law(law, inflection); !whole.empty()) {
     out.breaks.push_back(begin);
     for (const HalfLawPiece& piece : whole) {
       std::vector<double> b = piece.bernstein;
@@ -124,7 +124,7 @@ GivenSection classical_section(ClassicalLaw law, std::optional<double> inflectio
     }
     return out;
   }
-  const std::vector<HalfLawPiece> half = half_law(law);
+  const std::vector<HalfLawPiece> half = half_law(law, fractions);
   const double cv = middle_velocity(half), v0 = ends.from[1], v1 = ends.to[1];
   const double vm = cv * h / duration - (cv - 1) * (lambda * v0 + (1 - lambda) * v1);
   // Coefficients of length · (v u + (vm − v) p(u)) over a piece of the half law, u = 2z.
@@ -167,13 +167,14 @@ std::vector<std::optional<GivenSection>> classical_sections(const MotionLawProbl
   for (std::size_t s = 0; s < n; ++s) {
     const MotionPoint& point = problem.points[s];
     if (!point.law) continue;
-    if (point.inflection && (*point.law == ClassicalLaw::straight || !whole_law(*point.law).empty()))
+    if (point.inflection && !has_inflection(*point.law))
       faults.push_back({{"points", place_of(s), "inflection"},
                         *point.law == ClassicalLaw::straight ? "a straight line has none: leave it out"
                                                              : "this law has its own: leave it out"});
     const std::size_t before = faults.size();
     const SectionEnds at = ends.of(s, faults);
-    if (faults.size() == before) out[s] = classical_section(*point.law, point.inflection, breaks[s], breaks[s + 1], at);
+    if (faults.size() == before)
+      out[s] = classical_section(*point.law, point.inflection, breaks[s], breaks[s + 1], at, point.fractions);
   }
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   constexpr double tolerance = 1e-9;

@@ -20,9 +20,9 @@ struct SectionEnds {
   double from[4]{}, to[4]{};
 };
 /// Returns a section of the law between `begin` and `end`, s, with its inflection at the share λ of its length; none:
-/// 0.5.
+/// 0.5, or that of half_law.hpp. `fractions` are those of `sine_straight_combination`.
 GivenSection classical_section(ClassicalLaw law, std::optional<double> inflection, double begin, double end,
-                               const SectionEnds& ends);
+                               const SectionEnds& ends, const SineStraight& fractions = {});
 
 /// Returns one entry per section, none where the section is a polynomial; an empty list where no point names a law.
 /// States at the ends are the numbers of the points; a velocity that is not given is that of a straight section beside

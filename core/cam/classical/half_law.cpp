@@ -1,5 +1,6 @@
 #include "core/cam/classical/half_law.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -100,6 +101,51 @@ std::vector<HalfLawPiece> modified_trapezoid() {
   return pieces({rise, plateau, fall});
 }
 
+/// The half law of acceleration 1 is scaled to 1/2 in the middle.
+std::vector<HalfLawPiece> sine_straight(const SineStraight& f) {
+  const double b = f.b / pi, d = f.d / pi, q = (f.b + f.c) / 2, e = (1 - f.b - f.c - f.d) / 2;
+  const double s1 = b * f.b / 2 - b * b, v1 = b;                       // state at b/2
+  const double s2 = s1 + (v1 + f.c / 4) * f.c / 2, v2 = v1 + f.c / 2;  // state at q
+  const double s3 = s2 + v2 * f.d / 2 + d * d, v3 = v2 + d;            // state at q + d/2
+  if (!(v3 > 0)) return pieces({{0.5, 0, 1, 0, {}}});
+  const double ca = 0.5 / (s3 + v3 * e);
+  std::vector<Zone> zones;
+  if (f.b > 0) zones.push_back({f.b / 2, 0, ca * b, 0, {{-ca * b * b, 1 / b, 0}}});
+  if (f.c > 0) {
+    const double from = f.b / 2;
+    zones.push_back({q, ca * (s1 - v1 * from + from * from / 2), ca * (v1 - from), ca / 2, {}});
+  }
+  // −cos x = −sin(x + π/2).
+  if (f.d > 0)
+    zones.push_back({q + f.d / 2, ca * (s2 - v2 * q + d * d), ca * v2, 0, {{-ca * d * d, 1 / d, pi / 2 - q / d}}});
+  if (e > 1e-9) zones.push_back({0.5, 0.5 - 0.5 * ca * v3, ca * v3, 0, {}});
+  zones.back().end = 0.5;
+  return pieces(zones);
+}
+
+/// Takes rounding out of f(1).
+std::vector<HalfLawPiece> ending_at_one(std::vector<HalfLawPiece> law) {
+  law.back().bernstein.back() = 1;
+  return law;
+}
+
+std::vector<HalfLawPiece> harmonic_combination(double lambda) {
+  const double mu = 1 - lambda, v = 1 / (lambda / 2 + 2 * mu / pi);
+  return ending_at_one(
+      pieces({{lambda, 0, v / 2, 0, {{-v * lambda / (2 * pi), pi / lambda, 0}}},
+              {1, v * lambda / 2, 0, 0, {{2 * v * mu / pi, pi / (2 * mu), -pi * lambda / (2 * mu)}}}}));
+}
+
+/// Returns 1 − f(1 − z).
+std::vector<HalfLawPiece> reversed(std::vector<HalfLawPiece> law) {
+  std::reverse(law.begin(), law.end());
+  for (HalfLawPiece& piece : law) {
+    piece = {1 - piece.end, 1 - piece.begin, {piece.bernstein.rbegin(), piece.bernstein.rend()}};
+    for (double& b : piece.bernstein) b = 1 - b;
+  }
+  return law;
+}
+
 std::vector<HalfLawPiece> modified_sine() {
   const double c = 1 / (4 + pi);
   return pieces(
@@ -108,7 +154,7 @@ std::vector<HalfLawPiece> modified_sine() {
 
 }  // namespace
 
-std::vector<HalfLawPiece> half_law(ClassicalLaw law) {
+std::vector<HalfLawPiece> half_law(ClassicalLaw law, const SineStraight& fractions) {
   switch (law) {
     case ClassicalLaw::polynomial_345:
       return polynomial({0, 0, 0, 1, 1, 1});
@@ -129,20 +175,42 @@ std::vector<HalfLawPiece> half_law(ClassicalLaw law) {
       return gutman(2);
     case ClassicalLaw::gutman_3:
       return gutman(3);
+    case ClassicalLaw::sine_straight_combination:
+      return sine_straight(fractions);
     case ClassicalLaw::double_harmonic_from_dwell:
     case ClassicalLaw::double_harmonic_to_dwell:
+    case ClassicalLaw::harmonic_combination_from_dwell:
+    case ClassicalLaw::harmonic_combination_to_dwell:
+    case ClassicalLaw::polynomial_3456_from_dwell:
+    case ClassicalLaw::polynomial_3456_to_dwell:
     case ClassicalLaw::straight:
       break;
   }
   throw std::logic_error("a law without halves");
 }
 
-std::vector<HalfLawPiece> whole_law(ClassicalLaw law) {
-  if (law == ClassicalLaw::double_harmonic_from_dwell)
-    return pieces({{1, 0.375, 0, 0, {{-0.5, pi, pi / 2}, {0.125, 2 * pi, pi / 2}}}});
-  if (law == ClassicalLaw::double_harmonic_to_dwell)
-    return pieces({{1, 0.625, 0, 0, {{-0.5, pi, pi / 2}, {-0.125, 2 * pi, pi / 2}}}});
-  return {};
+std::vector<HalfLawPiece> whole_law(ClassicalLaw law, std::optional<double> inflection) {
+  switch (law) {
+    case ClassicalLaw::double_harmonic_from_dwell:
+      return ending_at_one(pieces({{1, 0.375, 0, 0, {{-0.5, pi, pi / 2}, {0.125, 2 * pi, pi / 2}}}}));
+    case ClassicalLaw::double_harmonic_to_dwell:
+      return reversed(whole_law(ClassicalLaw::double_harmonic_from_dwell));
+    case ClassicalLaw::harmonic_combination_from_dwell:
+      return harmonic_combination(inflection.value_or(2 - std::numbers::sqrt2));
+    case ClassicalLaw::harmonic_combination_to_dwell:
+      return reversed(harmonic_combination(inflection ? 1 - *inflection : 2 - std::numbers::sqrt2));
+    case ClassicalLaw::polynomial_3456_from_dwell:
+      return {{0, 1, {0, 0, 0, 0.4, 0.8, 1, 1}}};
+    case ClassicalLaw::polynomial_3456_to_dwell:
+      return reversed(whole_law(ClassicalLaw::polynomial_3456_from_dwell));
+    default:
+      return {};
+  }
+}
+
+bool has_inflection(ClassicalLaw law) {
+  return law == ClassicalLaw::harmonic_combination_from_dwell || law == ClassicalLaw::harmonic_combination_to_dwell ||
+         (law != ClassicalLaw::straight && whole_law(law).empty());
 }
 
 double middle_velocity(const std::vector<HalfLawPiece>& half) {

@@ -36,7 +36,7 @@ void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Pro
   same.degree = std::clamp(static_cast<int>(out.solution.law.max_degree()), 5, problem.sections() > 10 ? 9 : 21);
   for (cam::MotionPoint& point : same.points) {
     if (!point.law || *point.law == cam::ClassicalLaw::straight) continue;
-    if (*point.law == cam::ClassicalLaw::quadratic) return;
+    if (acceleration_jumps(*point.law, point.fractions)) return;
     point.law.reset();
     point.inflection.reset();
     same.degree = 9;

@@ -178,8 +178,8 @@ class Verifier {
     // acceleration jumps.
     for (std::size_t i = 0; i + 1 < law_.bernstein.size(); ++i) {
       if (law_.sections[i] != law_.sections[i + 1]) continue;
-      const auto& named = problem_.points[law_.sections[i]].law;
-      const int highest = named == cam::ClassicalLaw::quadratic ? 1 : 2;
+      const cam::MotionPoint& point = problem_.points[law_.sections[i]];
+      const int highest = point.law && acceleration_jumps(*point.law, point.fractions) ? 1 : 2;
       for (int r = 0; r <= highest; ++r)
         jumps[static_cast<std::size_t>(r)].take(std::abs(derived(i, r).back() - derived(i + 1, r).front()),
                                                 allowed(i, r) + allowed(i + 1, r), law_.breaks[i + 1]);

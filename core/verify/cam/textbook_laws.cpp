@@ -13,6 +13,30 @@ namespace {
 using cam::ClassicalLaw;
 constexpr double pi = std::numbers::pi;
 
+/// The displacement of SCCA's zones [Norton], with a straight part in the middle where b + c + d < 1.
+double sine_straight(const cam::SineStraight& f, double z) {
+  if (z > 0.5) return 1 - sine_straight(f, 1 - z);
+  const double b = f.b, d = f.d, q = (b + f.c) / 2, bb = b * b * (1 / 8.0 - 1 / (pi * pi));
+  const double velocity = b / pi + f.c / 2 + d / pi;  // in the middle, for an acceleration of 1
+  if (velocity == 0) return z;
+  const auto third = [&](double x) {
+    const double turn = d > 0 ? std::cos(pi / d * (x - q)) : 1;
+    return (b / pi + f.c / 2) * x + d * d / (pi * pi) * (1 - turn) + bb - q * q / 2;
+  };
+  const double end = q + d / 2, ca = 0.5 / (third(end) + velocity * (0.5 - end));
+  if (z >= end) return 0.5 - ca * velocity * (0.5 - z);
+  if (z >= q) return ca * third(z);
+  if (z >= b / 2) return ca * (z * z / 2 + b * (1 / pi - 0.5) * z + bb);
+  return ca * (b * z / pi - b * b / (pi * pi) * std::sin(pi * z / b));
+}
+
+/// Half a period of a sine of acceleration up to λ, then a quarter; the velocities are the same at λ.
+double harmonic_combination(double z, double lambda) {
+  const double mu = 1 - lambda, v = 2 * pi / (pi * lambda + 4 * mu);
+  if (z < lambda) return v * (z / 2 - lambda / (2 * pi) * std::sin(pi * z / lambda));
+  return 1 - 2 * v * mu / pi * (1 - std::cos(pi / 2 * (1 - z) / mu));
+}
+
 double symmetric(ClassicalLaw law, double z) {
   const double harmonic = 2 * pi * z;
   switch (law) {
@@ -50,7 +74,14 @@ double symmetric(ClassicalLaw law, double z) {
       return (1 - std::cos(pi * z)) / 2 - (1 - std::cos(harmonic)) / 8;
     case ClassicalLaw::double_harmonic_to_dwell:
       return 1 - symmetric(ClassicalLaw::double_harmonic_from_dwell, 1 - z);
+    case ClassicalLaw::polynomial_3456_from_dwell:
+      return z * z * z * (8 + z * (-12 + z * (6 - z)));
+    case ClassicalLaw::polynomial_3456_to_dwell:
+      return 1 - symmetric(ClassicalLaw::polynomial_3456_from_dwell, 1 - z);
     case ClassicalLaw::straight:
+    case ClassicalLaw::sine_straight_combination:
+    case ClassicalLaw::harmonic_combination_from_dwell:
+    case ClassicalLaw::harmonic_combination_to_dwell:
       return z;
   }
   return z;
@@ -58,11 +89,18 @@ double symmetric(ClassicalLaw law, double z) {
 
 }  // namespace
 
-double textbook_law(ClassicalLaw law, double z, double inflection) {
-  if (law == ClassicalLaw::straight || inflection == 0.5) return symmetric(law, z);
-  if (z <= inflection) return 2 * inflection * symmetric(law, z / (2 * inflection));
-  const double rest = 1 - inflection;
-  return 1 - 2 * rest * symmetric(law, (1 - z) / (2 * rest));
+double textbook_law(ClassicalLaw law, double z, std::optional<double> inflection, const cam::SineStraight& fractions) {
+  const double smooth = std::sqrt(2.0) / (1 + std::sqrt(2.0));  // λ with a continuous jerk
+  if (law == ClassicalLaw::harmonic_combination_from_dwell) return harmonic_combination(z, inflection.value_or(smooth));
+  if (law == ClassicalLaw::harmonic_combination_to_dwell)
+    return 1 - harmonic_combination(1 - z, 1 - inflection.value_or(1 - smooth));
+  const auto f = [&](double x) {
+    return law == ClassicalLaw::sine_straight_combination ? sine_straight(fractions, x) : symmetric(law, x);
+  };
+  const double lambda = inflection.value_or(0.5);
+  if (law == ClassicalLaw::straight || lambda == 0.5) return f(z);
+  if (z <= lambda) return 2 * lambda * f(z / (2 * lambda));
+  return 1 - 2 * (1 - lambda) * f((1 - z) / (2 * (1 - lambda)));
 }
 
 void check_textbook_laws(const cam::MotionLawProblem& problem, const LawToVerify& law, Verification& out) {
@@ -102,7 +140,7 @@ void check_textbook_laws(const cam::MotionLawProblem& problem, const LawToVerify
       while (piece < last && t > law.breaks[piece + 1]) ++piece;
       const double x = std::clamp((t - law.breaks[piece]) / (law.breaks[piece + 1] - law.breaks[piece]), 0.0, 1.0);
       const double off = std::abs(bernstein_sum(law.bernstein[piece], x) - s0 -
-                                  h * textbook_law(*from.law, z, from.inflection.value_or(0.5))) /
+                                  h * textbook_law(*from.law, z, from.inflection, from.fractions)) /
                          std::abs(h);
       const double allowed = tolerance + 1e-14 * std::abs(s0 / h);
       if (off / allowed >= check.value / check.limit) check.value = off, check.limit = allowed, check.at = t;

@@ -72,6 +72,24 @@ TEST(MotionLaw, EveryExampleOfTheMethodIsVerified) {
   }
 }
 
+TEST(MotionLaw, FractionsBelongToTheSineStraightCombinationAndFillASectionAtMost) {
+  const auto with = [](const char* law, const json& fractions) {
+    json spec = json::parse(R"({"master":{"length":120,"cycle_duration":0.2},"periodic":false,"points":[
+      {"at":0,"position":0,"velocity":0},{"at":120,"position":30,"velocity":0}]})");
+    spec["points"][0]["law"] = law;
+    if (!fractions.is_null()) spec["points"][0]["fractions"] = fractions;
+    return spec;
+  };
+  const json fits = {{"b", 0.2}, {"c", 0.3}, {"d", 0.5}};
+  const json section = planned(with("sine_straight_combination", fits)).result["details"]["sections"][0];
+  EXPECT_NEAR(section["ca"].get<double>(), 4.9087735, 1e-6);  // Norton's formula
+  const std::vector<std::string> at_fractions{"/spec/points/0/fractions"};
+  EXPECT_EQ(fault_pointers(with("sine_straight_combination", nullptr)), at_fractions);
+  EXPECT_EQ(fault_pointers(with("modified_sine", fits)), at_fractions);
+  for (const double d : {0.6, 0.4999, 1e-4})
+    EXPECT_EQ(fault_pointers(with("sine_straight_combination", {{"b", 0.2}, {"c", 0.3}, {"d", d}})), at_fractions) << d;
+}
+
 TEST(MotionLaw, CoefficientsOfAClassicalSectionAreInTheResult) {
   const auto sections = planned(example("classical")).result["details"]["sections"];
   EXPECT_EQ(sections[0]["law"], "modified_sine");

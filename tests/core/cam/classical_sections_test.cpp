@@ -54,6 +54,36 @@ TEST(ClassicalSections, CoefficientsAreThoseOfTheTextbooks) {
   EXPECT_NEAR(unit_law(ClassicalLaw::modified_trapezoid).peak(2).value, 4.8881, 5e-5);
 }
 
+TEST(ClassicalSections, LawsBetweenDwellAndReversalHaveTheirClosedForms) {
+  const double lambda = 2 - std::numbers::sqrt2, mu = 1 - lambda, v = 1 / (lambda / 2 + 2 * mu / pi);
+  for (const ClassicalLaw each :
+       {ClassicalLaw::harmonic_combination_from_dwell, ClassicalLaw::harmonic_combination_to_dwell}) {
+    const CamLaw law = unit_law(each);
+    EXPECT_NEAR(law.peak(1).value, v, 1e-12);
+    EXPECT_NEAR(law.peak(2).value, pi * v / (2 * mu), 1e-9);
+    EXPECT_NEAR(law.peak(3).value, pi * pi * v / (2 * lambda * lambda), 1e-7);
+  }
+  // 8 z³ − 12 z⁴ + 6 z⁵ − z⁶: f″ = −6 at the end, f‴ = 48 at the begin; f″ = 0 at z = 0.5528.
+  const CamLaw law = unit_law(ClassicalLaw::polynomial_3456_from_dwell);
+  const double z = 1 - 1 / std::sqrt(5.0);
+  EXPECT_NEAR(law.peak(1).value, z * z * (24 + z * (-48 + z * (30 - 6 * z))), 1e-12);
+  EXPECT_NEAR(law.peak(2).value, 6, 1e-12);
+  EXPECT_NEAR(law.peak(3).value, 48, 1e-12);
+  EXPECT_NEAR(law.evaluate(1, 2), -6, 1e-12);
+}
+
+TEST(ClassicalSections, SineStraightCombinationHasNortonsCoefficients) {
+  for (const SineStraight f : {SineStraight{0.25, 0.5, 0.25}, {0.1, 0.3, 0.6}, {0.3, 0.1, 0.6}, {0.5, 0, 0.5}}) {
+    SectionEnds ends;
+    ends.to[0] = 1;
+    const CamLaw law = law_of(classical_section(ClassicalLaw::sine_straight_combination, std::nullopt, 0, 1, ends, f));
+    const double ca = 4 * pi * pi / ((pi * pi - 8) * (f.b * f.b - f.d * f.d) - 2 * pi * (pi - 2) * f.b + pi * pi);
+    EXPECT_NEAR(law.peak(2).value, ca, 1e-9);
+    EXPECT_NEAR(law.peak(1).value, ca * ((f.b + f.d) / pi + f.c / 2), 1e-11);
+    EXPECT_NEAR(law.peak(3).value, ca * pi / std::min(f.b, f.d), 1e-6);
+  }
+}
+
 TEST(ClassicalSections, GutmansLawIsItsSeries) {
   const CamLaw law = unit_law(ClassicalLaw::gutman_2);
   for (double z = 0; z <= 1; z += 0.013)

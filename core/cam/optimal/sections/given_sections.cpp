@@ -7,6 +7,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/cam/classical/classical_sections.hpp"
+#include "core/cam/classical/half_law.hpp"
 #include "core/cam/optimal/extrema.hpp"
 #include "core/cam/optimal/program/section_basis.hpp"
 #include "core/cam/spline/spline_faults.hpp"
@@ -70,8 +71,8 @@ void check_limits(const LawTask& task, const MotionLawProblem& problem, std::siz
 bool section_stretches(const MotionLawProblem& problem, std::size_t section) {
   const MotionPoint& point = problem.points[section];
   if (!point.law || *point.law == ClassicalLaw::straight || *point.law == ClassicalLaw::quadratic ||
-      *point.law == ClassicalLaw::simple_harmonic || *point.law == ClassicalLaw::double_harmonic_from_dwell ||
-      *point.law == ClassicalLaw::double_harmonic_to_dwell)
+      *point.law == ClassicalLaw::simple_harmonic || !whole_law(*point.law).empty() ||
+      (*point.law == ClassicalLaw::sine_straight_combination && point.fractions.b == 0))
     return false;
   for (std::size_t r = 1; r < limited_orders; ++r)
     if (!point.section[r].free()) return false;

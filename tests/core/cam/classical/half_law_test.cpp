@@ -84,5 +84,49 @@ TEST(HalfLaw, TheMiddleVelocityIsTheLawsCv) {
     EXPECT_NEAR(middle_velocity(half_law(law)), cv, 1e-12) << name_of<ClassicalLaw>(law, classical_laws);
 }
 
+TEST(HalfLaw, SineStraightCombinationContainsTheLawsOfItsFamily) {
+  const std::pair<SineStraight, ClassicalLaw> members[] = {{{0.25, 0.5, 0.25}, ClassicalLaw::modified_trapezoid},
+                                                           {{0.25, 0, 0.75}, ClassicalLaw::modified_sine},
+                                                           {{0.5, 0, 0.5}, ClassicalLaw::inclined_sine},
+                                                           {{0, 0, 1}, ClassicalLaw::simple_harmonic},
+                                                           {{0, 1, 0}, ClassicalLaw::quadratic}};
+  for (const auto& [fractions, law] : members)
+    for (double z = 0; z <= 0.5; z += 0.01)
+      EXPECT_NEAR(value(half_law(ClassicalLaw::sine_straight_combination, fractions), z), value(half_law(law), z),
+                  1e-14)
+          << name_of<ClassicalLaw>(law, classical_laws) << " " << z;
+  const auto line = half_law(ClassicalLaw::sine_straight_combination, {0, 0, 0});
+  for (double z = 0; z <= 0.5; z += 0.01) EXPECT_NEAR(value(line, z), z, 1e-15);
+}
+
+TEST(HalfLaw, HarmonicCombinationHasAContinuousJerkAtItsOwnInflection) {
+  const double lambda = 2 - std::numbers::sqrt2;
+  const auto third = [](const HalfLawPiece& piece, double x) {
+    const double h = piece.end - piece.begin, d = 1e-3 * h, z = piece.begin + x * h;
+    const double side = x > 0.5 ? -1 : 1;
+    return (value(piece, z + 3 * side * d) - 3 * value(piece, z + 2 * side * d) + 3 * value(piece, z + side * d) -
+            value(piece, z)) /
+           (side * d * d * d);
+  };
+  const auto law = whole_law(ClassicalLaw::harmonic_combination_from_dwell);
+  EXPECT_EQ(law[0].end, lambda);
+  EXPECT_NEAR(third(law[0], 1), third(law[1], 0), 0.1);
+  const auto other = whole_law(ClassicalLaw::harmonic_combination_from_dwell, 0.4);
+  EXPECT_GT(std::abs(third(other[0], 1) - third(other[1], 0)), 10);
+}
+
+TEST(HalfLaw, LawsToADwellAreThoseFromADwellBackwards) {
+  const std::pair<ClassicalLaw, ClassicalLaw> pairs[] = {
+      {ClassicalLaw::double_harmonic_from_dwell, ClassicalLaw::double_harmonic_to_dwell},
+      {ClassicalLaw::harmonic_combination_from_dwell, ClassicalLaw::harmonic_combination_to_dwell},
+      {ClassicalLaw::polynomial_3456_from_dwell, ClassicalLaw::polynomial_3456_to_dwell}};
+  for (const auto& [from, to] : pairs) {
+    EXPECT_EQ(whole_law(from).back().bernstein.back(), 1) << name_of<ClassicalLaw>(from, classical_laws);
+    EXPECT_EQ(whole_law(to).front().bernstein.front(), 0) << name_of<ClassicalLaw>(to, classical_laws);
+    for (double z = 0; z <= 1; z += 0.01)
+      EXPECT_NEAR(value(whole_law(to), z), 1 - value(whole_law(from), 1 - z), 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk::cam
