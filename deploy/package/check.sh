@@ -143,7 +143,7 @@ part_proxies() {
   say "Proxies"
   local service
   serve() {
-    "$binary" serve --listen 127.0.0.1:$port --store "sqlite:$work/proxy.db" 2>>"$work/service.log" &
+    "$binary" serve --listen 127.0.0.1:$port --worker-nice 0 --store "sqlite:$work/proxy.db" 2>>"$work/service.log" &
     service=$!
     pids+=($service)
   }

@@ -165,7 +165,8 @@ TEST(OpenApi, TheJobResourceIsTheOneDescribed) {
   const auto schema = openapi_document()["components"]["schemas"]["Job"];
   Job job;
   std::vector<std::string> described, written;
-  for (const auto& [name, property] : schema["properties"].items()) described.push_back(name);
+  for (const auto& [name, property] : schema["properties"].items())
+    if (name != "notes") described.push_back(name);  // in the answer to POST only
   const auto resource = job_resource(job);
   for (const auto& [name, value] : resource.items()) written.push_back(name);
   EXPECT_EQ(described, written);

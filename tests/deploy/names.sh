@@ -4,6 +4,7 @@ source "$(dirname "$0")/../contract/lib.sh"
 start_server
 post "$examples/line.json"
 await succeeded
+request GET /v1/jobs/unknown # counts as refused
 request GET /metrics
 request GET /metrics # counts the first one, too
 "$bahnwerk" serve --help >"$work/help"
