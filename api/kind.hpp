@@ -1,6 +1,7 @@
 #pragma once
 /// Descriptor of a kind of job, and the list of kinds. A new kind takes its core folder, its folder in api/kinds, its
 /// schemas with examples, its line in kinds.cpp and its tests.
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@ class Progress;
 
 namespace bahnwerk::api {
 struct PlannedJob;  // api/planned_job.hpp
+struct ViewFacts;   // api/views/view_facts.hpp
 
 /// The files that a kind makes of a stored result, in layouts of its own.
 struct ResultFiles {
@@ -45,6 +47,9 @@ struct Kind {
   /// Plans a spec. Equal specs and versions give identical results. Throws core's errors; never returns an unverified
   /// plan as verified.
   PlannedJob (*plan)(const nlohmann::json& spec, Progress& progress);
+  /// Returns what the views of setpoints need of a spec that was planned (api/views/view_facts.hpp); nullptr where
+  /// the kind has no setpoints.
+  std::shared_ptr<const ViewFacts> (*view_facts)(const nlohmann::json& spec, Progress& progress) = nullptr;
   ResultFiles files = {};  ///< empty if the kind has no layouts of its own
 };
 

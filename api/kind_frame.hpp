@@ -8,9 +8,9 @@
 ///   KindReport report(const Request&, Plan&, Progress&)
 ///
 /// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
-/// document is submitted; and, if the kind knows how long its plans take, expected_time(const Request&); and, if the
-/// kind makes files of a result, `ResultFiles files`. The file api/kinds/<name>/<name>.cpp contains `Kind
-/// describe_<name>() { return kind_of<K>();
+/// document is submitted; if the kind knows how long its plans take, expected_time(const Request&); if it has setpoints,
+/// view_facts(const Request&), which returns the ViewFacts of a series; and if it makes files of a result, `ResultFiles
+/// files`. The file api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
 /// }`, and api/kinds.cpp lists it.
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,6 +21,7 @@
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/schema/embedded.hpp"
+#include "api/views/view_facts.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
@@ -55,18 +56,35 @@ std::optional<PlanningTime> check_spec(const nlohmann::json& spec, Progress& pro
 }
 
 template <class K>
+concept HasViewFacts = requires(const nlohmann::json& spec, Progress& progress) {
+  K::view_facts(K::read(spec, progress));
+};
+
+template <class K>
 /// Implements Kind::plan.
 PlannedJob plan_spec(const nlohmann::json& spec, Progress& progress) {
   progress.report("read", 0.0);
   auto request = K::read(spec, progress);
+  std::shared_ptr<const ViewFacts> facts;
+  if constexpr (HasViewFacts<K>)
+    facts = std::make_shared<const ViewFacts>(K::view_facts(request));  // first: a plan may take its request apart
   auto plan = K::plan(request, progress);
-  return planned_job(K::name, K::report(request, plan, progress));
+  PlannedJob job = planned_job(K::name, K::report(request, plan, progress));
+  job.view_facts = std::move(facts);
+  return job;
+}
+
+template <class K>
+/// Implements Kind::view_facts.
+std::shared_ptr<const ViewFacts> view_facts_of_spec(const nlohmann::json& spec, Progress& progress) {
+  return std::make_shared<const ViewFacts>(K::view_facts(K::read(spec, progress)));
 }
 
 template <class K>
 Kind kind_of() {
   Kind kind{K::name,       K::title,    embedded(K::name), embedded(std::string(K::name) + ".result"),
             check_spec<K>, plan_spec<K>};
+  if constexpr (HasViewFacts<K>) kind.view_facts = view_facts_of_spec<K>;
   if constexpr (requires { K::files; }) kind.files = K::files;
   return kind;
 }

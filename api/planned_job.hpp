@@ -11,11 +11,13 @@ class Progress;
 }
 
 namespace bahnwerk::api {
+struct ViewFacts;  // api/views/view_facts.hpp
 
 /// A planned document: what a job stores, and what the command line writes.
 struct PlannedJob {
-  nlohmann::ordered_json result;              ///< the result document, with the setpoints' summary
-  std::unique_ptr<SetpointSource> setpoints;  ///< nullptr if the kind has none
+  nlohmann::ordered_json result;                          ///< the result document, with the setpoints' summary
+  std::unique_ptr<SetpointSource> setpoints;              ///< nullptr if the kind has none
+  std::shared_ptr<const ViewFacts> view_facts = nullptr;  ///< what the views of the setpoints need of the document
   bool verified = false;
   std::string failure = {};  ///< the failed checks of a plan that is not verified, as text for a person
 };

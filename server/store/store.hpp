@@ -60,9 +60,9 @@ class Store : public ChangeSource {
   /// attempt is over.
   virtual void progress(Progressed progress, std::function<void()> done) = 0;
   virtual bool end(const std::string& id, int attempt, const Ending& ending) = 0;
-  /// Stores the result and all setpoints. Long series are stored piece by piece before the state changes, so that
-  /// neither memory nor other writers suffer from their length; `progress` is asked between the pieces and may throw
-  /// Stopped. After a StoreError a further call continues where this one ended.
+  /// Stores the result, all setpoints and their views. Long series are stored piece by piece before the state changes,
+  /// so that neither memory nor other writers suffer from their length; `progress` is asked between the pieces and may
+  /// throw Stopped. After a StoreError a further call continues where this one ended.
   virtual bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
                        std::uint64_t revision, Progress& progress) = 0;
   /// Puts a running job back as if the attempt had not been made; a job with a requested cancellation is cancelled
@@ -109,6 +109,12 @@ class Store : public ChangeSource {
   virtual std::optional<SeriesInfo> series(const std::string& id) = 0;  ///< nullopt: no result, or none with setpoints
   /// Reads the rows of chunk `first_row` (a multiple of chunk_rows), row-major. Throws StoreError when it was removed.
   virtual void read_chunk(const SeriesInfo& series, std::size_t first_row, std::vector<double>& out) = 0;
+
+  /// Returns the bytes of a part of a view (api/views/views.hpp); nullopt if there is none.
+  virtual std::optional<std::string> read_view(const SeriesInfo& series, std::string_view name, std::size_t part) = 0;
+  /// Stores parts of the views of a job that succeeded without them, and replaces those that exist; with the `last`
+  /// ones the series has views. Throws StoreError when the job was removed.
+  virtual void put_views(const SeriesInfo& series, const std::vector<api::ViewPart>& parts, bool last) = 0;
 
   /// Returns all keys, or nullopt if their version is `known`; 0 is that of a store that never had one.
   virtual std::optional<Keys> keys(std::uint64_t known) = 0;

@@ -9,6 +9,7 @@
 
 #include "api/job.hpp"
 #include "api/setpoints/setpoints.hpp"
+#include "api/views/views.hpp"
 
 namespace bahnwerk::server {
 
@@ -98,6 +99,7 @@ struct SeriesInfo {
   double cycle_time = 0;
   Independent independent = {};
   std::optional<PoseFrame> pose_frame = {};
+  int views = 0;  ///< version of the stored views; 0: none
 };
 
 struct Progressed {

@@ -1,5 +1,8 @@
 #include "server/store/sqlite/leftovers.hpp"
 
+#include <string_view>
+#include <vector>
+
 #include "server/store/sqlite/connection.hpp"
 
 namespace bahnwerk::server {
@@ -7,11 +10,28 @@ namespace {
 
 constexpr std::int64_t piece_bytes = 2 << 20;
 
+/// Deletes rows that a query selects with their sizes, about 2 MB of them; returns whether there may be more.
+bool free_piece(SqliteConnection& connection, std::int64_t seq, std::string_view select, std::string_view remove) {
+  std::vector<std::int64_t> ids;
+  std::int64_t bytes = 0;
+  {
+    Query rows = connection.query(select);
+    rows << seq;
+    while (bytes < piece_bytes && rows.step()) {
+      ids.push_back(rows.integer(0));
+      bytes += rows.integer(1);
+    }
+  }
+  for (const std::int64_t id : ids) (connection.query(remove) << id).run();
+  return bytes >= piece_bytes;
+}
+
 }  // namespace
 
 void leave_chunks(SqliteConnection& connection, const std::string& id) {
   (connection.query("INSERT OR IGNORE INTO leftovers (seq) SELECT seq FROM jobs "
-                    "WHERE id = ? AND EXISTS (SELECT 1 FROM chunks WHERE chunks.seq = jobs.seq)")
+                    "WHERE id = ? AND (EXISTS (SELECT 1 FROM chunks WHERE chunks.seq = jobs.seq) OR "
+                    "EXISTS (SELECT 1 FROM views WHERE views.seq = jobs.seq))")
    << id)
       .run();
 }
@@ -28,17 +48,11 @@ std::optional<std::int64_t> next_leftovers(SqliteConnection& connection) {
 }
 
 bool free_leftovers(SqliteConnection& connection, std::int64_t seq) {
-  std::int64_t last = -1, bytes = 0;
-  {
-    Query rows = connection.query("SELECT first_row, length(data) FROM chunks WHERE seq = ? ORDER BY first_row");
-    rows << seq;
-    while (bytes < piece_bytes && rows.step()) {
-      last = rows.integer(0);
-      bytes += rows.integer(1);
-    }
-  }
-  (connection.query("DELETE FROM chunks WHERE seq = ? AND first_row <= ?") << seq << last).run();
-  if (bytes >= piece_bytes) return true;
+  if (free_piece(connection, seq, "SELECT rowid, length(data) FROM chunks WHERE seq = ? ORDER BY first_row",
+                 "DELETE FROM chunks WHERE rowid = ?") ||
+      free_piece(connection, seq, "SELECT rowid, length(data) FROM views WHERE seq = ?",
+                 "DELETE FROM views WHERE rowid = ?"))
+    return true;
   (connection.query("DELETE FROM leftovers WHERE seq = ?") << seq).run();
   return false;
 }

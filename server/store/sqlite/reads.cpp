@@ -81,7 +81,7 @@ bool SqliteStore::cancel_requested(const std::string& id) {
 std::optional<SeriesInfo> SqliteStore::series(const std::string& id) {
   Reader reader(*this);
   Query row = reader.query(
-      "SELECT seq, columns, row_count, chunk_rows, cycle_time FROM results JOIN jobs USING (seq) WHERE id = ?");
+      "SELECT seq, columns, row_count, chunk_rows, cycle_time, views FROM results JOIN jobs USING (seq) WHERE id = ?");
   row << id;
   if (!row.step() || row.null(1)) return std::nullopt;
   return unpacking([&] {
@@ -97,6 +97,7 @@ std::optional<SeriesInfo> SqliteStore::series(const std::string& id) {
     info.count = static_cast<std::size_t>(row.integer(2));
     info.chunk_rows = static_cast<std::size_t>(row.integer(3));
     info.cycle_time = row.number(4);
+    info.views = static_cast<int>(row.integer(5));
     info.independent.step = info.cycle_time;
     if (stored.contains("independent")) {
       const auto& over = stored.at("independent");

@@ -69,6 +69,8 @@ class SqliteStore final : public Store {
   std::unique_ptr<StoredText> open_result(const std::string& id) override;
   std::optional<SeriesInfo> series(const std::string& id) override;
   void read_chunk(const SeriesInfo& series, std::size_t first_row, std::vector<double>& out) override;
+  std::optional<std::string> read_view(const SeriesInfo& series, std::string_view name, std::size_t part) override;
+  void put_views(const SeriesInfo& series, const std::vector<api::ViewPart>& parts, bool last) override;
   std::optional<Keys> keys(std::uint64_t known) override;
   void checkpoint() override;
 

@@ -9,6 +9,7 @@
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
+#include "server/store/sqlite/views.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -21,31 +22,65 @@ struct Chunk {
   std::string packed;
 };
 
-/// Reads the chunks of one piece from row `first` on, and moves `first` behind them.
-std::vector<Chunk> pack_piece(const SetpointSource& source, std::size_t& first, Progress& progress) {
-  std::vector<Chunk> piece;
-  std::vector<double> values;
-  const std::size_t columns = source.columns().size();
-  for (std::size_t bytes = 0; first < source.count() && bytes < piece_bytes;) {
-    progress.report("storing", 1);
-    const std::size_t rows = std::min(chunk_rows, source.count() - first);
-    values.resize(rows * columns);
-    source.read(first, rows, values.data());
-    piece.push_back({first, rows, pack_rows(values.data(), rows, columns)});
-    bytes += piece.back().packed.size();
-    first += rows;
+/// What one transaction stores: chunks, and the parts of views that the rows so far have completed.
+struct Piece {
+  std::vector<Chunk> chunks;
+  std::vector<api::ViewPart> views;
+
+  Writer::Bytes size() const {
+    Writer::Bytes bytes = Writer::row;
+    for (const Chunk& chunk : chunks) bytes += chunk.packed.size();
+    for (const api::ViewPart& part : views) bytes += part.bytes.size() + view_row;
+    return bytes;
   }
-  return piece;
-}
+};
 
-Writer::Bytes size_of(const std::vector<Chunk>& piece) {
-  Writer::Bytes bytes = Writer::row;
-  for (const Chunk& chunk : piece) bytes += chunk.packed.size();
-  return bytes;
-}
+/// Reads a series once, and makes chunks and views of it.
+class Packer {
+ public:
+  /// Rows before `first` are stored already; the views need them again.
+  Packer(const api::PlannedJob& planned, std::size_t first, Progress& progress)
+      : source_(*planned.setpoints),
+        stored_(first),
+        progress_(progress),
+        views_({source_.columns(), source_.count(), source_.cycle_time(), planned.view_facts},
+               [this](api::ViewPart part) { piece_.views.push_back(packed(std::move(part))); }) {}
 
-void insert_chunks(SqliteConnection& connection, std::int64_t seq, const std::vector<Chunk>& piece) {
-  for (const Chunk& chunk : piece) {
+  /// Returns the next piece; `last` becomes true with the last one.
+  Piece next(bool& last) {
+    const std::size_t columns = source_.columns().size();
+    piece_ = {};
+    for (std::size_t bytes = 0; row_ < source_.count() && bytes < piece_bytes;) {
+      // Rows that are only read take a few ms per 16 chunks.
+      if (row_ >= stored_ || row_ % (16 * chunk_rows) == 0) progress_.report("storing", 1);
+      const std::size_t rows = std::min(chunk_rows, source_.count() - row_);
+      values_.resize(rows * columns);
+      source_.read(row_, rows, values_.data());
+      views_.add(rows, values_.data());
+      if (row_ >= stored_) {
+        piece_.chunks.push_back({row_, rows, pack_rows(values_.data(), rows, columns)});
+        bytes += piece_.chunks.back().packed.size();
+      }
+      row_ += rows;
+    }
+    last = row_ == source_.count();
+    if (last) views_.finish();
+    return std::move(piece_);
+  }
+
+ private:
+  const SetpointSource& source_;
+  std::size_t stored_;
+  Progress& progress_;
+  Piece piece_;
+  api::Views views_;
+  std::size_t row_ = 0;
+  std::vector<double> values_;
+};
+
+void insert_piece(SqliteConnection& connection, std::int64_t seq, const Piece& piece) {
+  insert_views(connection, seq, piece.views);
+  for (const Chunk& chunk : piece.chunks) {
     Query row = connection.query("INSERT INTO chunks (seq, first_row, row_count, data) VALUES (?, ?, ?, ?)");
     row << seq << static_cast<std::int64_t>(chunk.first) << static_cast<std::int64_t>(chunk.rows);
     row.blob(chunk.packed).run();
@@ -79,7 +114,7 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
     return job.step() ? std::optional(job.integer(0)) : std::nullopt;
   };
 
-  std::vector<Chunk> piece;
+  Piece piece;
   if (source) {
     std::size_t first = 0;
     {
@@ -90,16 +125,18 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
       stored << id << std::int64_t{attempt};
       if (stored.step()) first = static_cast<std::size_t>(stored.integer(0));
     }
+    Packer packer(planned, first, progress);
     for (;;) {
-      piece = pack_piece(*source, first, progress);
-      if (first == source->count()) break;  // the last piece is stored with the result
+      bool last = false;
+      piece = packer.next(last);
+      if (last) break;  // the last piece is stored with the result
       const bool stored = write_flag(
           [&](SqliteConnection& connection) {
             const auto seq = still_running(connection);
-            if (seq) insert_chunks(connection, *seq, piece);
+            if (seq) insert_piece(connection, *seq, piece);
             return seq.has_value();
           },
-          size_of(piece));
+          piece.size());
       if (!stored) return false;
     }
   }
@@ -113,17 +150,18 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
          << now << static_cast<std::int64_t>(revision) << change << *seq)
             .run();
         Query result = connection.query(
-            "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time) VALUES (?, ?, ?, ?, ?, "
-            "?)");
+            "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?)");
         (result << *seq).blob(document);
         result << columns << static_cast<std::int64_t>(source ? source->count() : 0)
-               << static_cast<std::int64_t>(chunk_rows) << (source ? source->cycle_time() : 0.0);
+               << static_cast<std::int64_t>(chunk_rows) << (source ? source->cycle_time() : 0.0)
+               << std::int64_t{source ? api::views_version : 0};
         result.run();
-        insert_chunks(connection, *seq, piece);
+        insert_piece(connection, *seq, piece);
         changes_.note(change, id, api::JobState::succeeded);
         return true;
       },
-      document.size() + size_of(piece));
+      document.size() + piece.size());
 }
 
 }  // namespace bahnwerk::server
