@@ -116,6 +116,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                                *places_});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
+  add_limits_routes(router_, *context_);
   add_meta_routes(router_, *context_);
   add_health_routes(router_, *context_);
   add_page_routes(router_, *context_);

@@ -25,6 +25,8 @@ std::string_view format_name(SetpointFormat format) {
       return "ndjson";
     case SetpointFormat::f64:
       return "f64";
+    case SetpointFormat::f32:
+      return "f32";
     case SetpointFormat::json:
       break;
   }
@@ -38,6 +40,7 @@ std::string_view content_type(SetpointFormat format) {
     case SetpointFormat::ndjson:
       return "application/x-ndjson";
     case SetpointFormat::f64:
+    case SetpointFormat::f32:
       return "application/octet-stream";
     case SetpointFormat::json:
       break;

@@ -70,9 +70,10 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       continue;
     }
     if (key == "format") {
-      for (const auto format : {SetpointFormat::json, SetpointFormat::csv, SetpointFormat::ndjson, SetpointFormat::f64})
+      for (const auto format : {SetpointFormat::json, SetpointFormat::csv, SetpointFormat::ndjson, SetpointFormat::f64,
+                                SetpointFormat::f32})
         if (format_name(format) == value) result.format = format;
-      if (!result.format) fault("must be json, csv, ndjson or f64");
+      if (!result.format) fault("must be json, csv, ndjson, f64 or f32");
       continue;
     }
     if (key == "layout") {

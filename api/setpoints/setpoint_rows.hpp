@@ -33,10 +33,16 @@ SetpointSeries with_mark(SetpointSeries series, const std::string& name);
 /// rates of a column c.
 SetpointSeries delayed(SetpointSeries series, std::size_t rows);
 
+/// Returns the series with the additional last columns use and limit, which are computed from its rows and the stored
+/// list of limits. The series must have views.
+SetpointSeries with_limits(SetpointSeries series);
+
 /// Returns the envelope of the rows [first, first + rows) as a series of n = min(points, rows) rows: column "index"
 /// (the bucket's first row), then for each of `columns` its smallest and largest value in the bucket, named x_min,
-/// x_max. Bucket b covers the rows [first + b·rows/n, first + (b+1)·rows/n). The envelope is computed on the first read
-/// and takes points · (2 · columns + 1) doubles.
+/// x_max. Bucket b covers the rows [first + b·rows/n, first + (b+1)·rows/n). Of a series with views they are those of
+/// bucket_bounds(), and long ones are read from the views. The column limit of with_limits() has the number that most
+/// rows of the bucket have, twice. The envelope is computed on the first read and takes points · (2 · columns + 1)
+/// doubles.
 SetpointSeries envelope(SetpointSeries series, std::size_t first, std::size_t rows, std::size_t points,
                         std::vector<std::size_t> columns);
 

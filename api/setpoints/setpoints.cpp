@@ -33,9 +33,9 @@ std::string csv_field(const std::string& name) {
   return field + '"';
 }
 
-void append_f64(std::string& out, double value) {
-  auto bits = std::bit_cast<std::uint64_t>(value);
-  for (int i = 0; i < 8; ++i, bits >>= 8) out += static_cast<char>(bits & 0xFF);
+template <class Bits>
+void append_bits(std::string& out, Bits bits) {
+  for (std::size_t i = 0; i < sizeof bits; ++i, bits >>= 8) out += static_cast<char>(bits & 0xFF);
 }
 
 /// Returns the names of the columns that a layout has for a group of drives if no columns are requested; none: all.
@@ -204,7 +204,9 @@ bool SetpointStream::State::row_step(std::string& out) {
   if (!row) return false;
   for (std::size_t k = 0; k < selected.size(); ++k) {
     if (format == SetpointFormat::f64) {
-      append_f64(out, row[selected[k]]);
+      append_bits(out, std::bit_cast<std::uint64_t>(row[selected[k]]));
+    } else if (format == SetpointFormat::f32) {
+      append_bits(out, std::bit_cast<std::uint32_t>(static_cast<float>(row[selected[k]])));
     } else {
       out += opening[k];
       append_number(out, row[selected[k]]);
@@ -221,6 +223,11 @@ SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, Setpo
   if (query.delay > 0 && !series.independent.time())
     refuse("delay", "this series is over " + series.independent.name + ", not over time: its rows cannot wait");
   const std::size_t waiting = rows_of(query.delay, series.cycle_time);
+  const auto asks_for = [&](const char* name) {
+    return std::find(query.columns.begin(), query.columns.end(), name) != query.columns.end() &&
+           column_index(series.columns, name) == series.columns.size();
+  };
+  if (series.view && waiting == 0 && (asks_for("use") || asks_for("limit"))) series = with_limits(std::move(series));
   series = delayed(std::move(series), waiting);
   if (query.first > series.count)
     refuse("first",

@@ -9,16 +9,17 @@
 #include <utility>
 #include <vector>
 
+#include "api/views/limits_view.hpp"
 #include "core/base/named.hpp"
 #include "core/base/setpoint_source.hpp"
 
 namespace bahnwerk::api {
 
-enum class SetpointFormat { json, csv, ndjson, f64 };
+enum class SetpointFormat { json, csv, ndjson, f64, f32 };
 /// Returns the format that an Accept header prefers; json if it is absent or "*/*"; nullopt if none is acceptable.
 std::optional<SetpointFormat> negotiate_setpoints(std::string_view accept);
 std::string_view content_type(SetpointFormat format);
-std::string_view format_name(SetpointFormat format);  ///< json, csv, ndjson, f64
+std::string_view format_name(SetpointFormat format);  ///< json, csv, ndjson, f64, f32
 
 /// Layout of CSV. plain is RFC 4180 with all columns. The others are for controllers with TwinCAT [Herrmann 4.5.1]:
 /// fields separated by semicolons and lines ended by CR LF, the defaults of FB_CSVMemBufferReader of Tc2_Utilities;
@@ -42,8 +43,10 @@ struct SetpointQuery {
   std::size_t first = 0;
   std::optional<std::size_t> count;  ///< rows of the series that the slice spans, before `every`
   std::size_t every = 1;
-  std::optional<std::size_t> points;    ///< min/max envelope with about this many points, for charts
-  std::vector<std::string> columns;     ///< names of the columns; empty: all
+  std::optional<std::size_t> points;  ///< min/max envelope with about this many points, for charts
+  /// Names of the columns; empty: all of the series. `use`, the largest share of a limit in the row, and `limit`, its
+  /// number (api/views/row_limits.hpp), are given where they are named.
+  std::vector<std::string> columns;
   CsvLayout layout = CsvLayout::plain;  ///< layout of CSV rows; not allowed with `points`
   /// Layout of a file that a kind makes of its result (api/setpoints/result_files.hpp), instead of rows; without other
   /// options.
@@ -72,6 +75,8 @@ struct SetpointSeries {
   std::optional<PoseFrame> pose_frame = {};  ///< frame of the poses; none: poses exist in one frame only
   /// Fills `out` with rows [first, first + rows), row-major, all columns.
   std::function<void(std::size_t first, std::size_t rows, std::vector<double>& out)> read;
+  ViewReader view = nullptr;                       ///< the stored views of these columns; empty: there are none
+  std::shared_ptr<LimitsReader> limits = nullptr;  ///< set where the last two columns are use and limit
 };
 
 /// Streams one answer: each call of next() appends at most about 64 KiB to `out`; it returns false, without appending,

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "api/views/envelope_view.hpp"
+#include "api/views/limits_view.hpp"
+
 namespace bahnwerk::api {
 namespace {
 
 using MakeView = std::unique_ptr<View> (*)(const ViewInput& input, const ViewSink& sink);
 
 /// All views; an entry returns nullptr for a series of which the view does not exist. `sink` outlives the view.
-const std::vector<MakeView> all_views = {};
+constexpr MakeView all_views[] = {make_envelope, make_limits};
 
 }  // namespace
 

@@ -54,6 +54,8 @@ class View {
 class Views {
  public:
   Views(const ViewInput& input, ViewSink sink);
+  Views(const Views&) = delete;
+  Views& operator=(const Views&) = delete;
   /// Receives the next rows.
   void add(std::size_t rows, const double* values);
   void finish();

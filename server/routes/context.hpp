@@ -46,6 +46,7 @@ struct Context {
 void add_job_routes(Router& router,
                     Context& context);  ///< POST and GET /v1/jobs, GET/DELETE /v1/jobs/{id}, spec, events, cancel
 void add_result_routes(Router& router, Context& context);  ///< /v1/jobs/{id}/result, /v1/jobs/{id}/setpoints
+void add_limits_routes(Router& router, Context& context);  ///< /v1/jobs/{id}/limits
 void add_meta_routes(Router& router, Context& context);    ///< kinds, schemas, openapi.json, problems
 void add_health_routes(Router& router, Context& context);  ///< healthz, readyz, metrics
 void add_page_routes(Router& router, Context& context);    ///< the list of jobs and a page per job

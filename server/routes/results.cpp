@@ -8,7 +8,7 @@
 #include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
-#include "server/routes/context.hpp"
+#include "server/routes/stored_series.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -24,37 +24,6 @@ Response result(Context& context, const Request& request) {
       throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");  // the job was deleted in between
     return text_answer("application/json", std::move(document));
   });
-}
-
-/// Reads rows through the store's chunks and keeps the last chunk, because rows are read in order.
-api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
-  struct Chunk {
-    std::size_t first = static_cast<std::size_t>(-1);
-    std::vector<double> values;
-  };
-  api::SetpointSeries series;
-  series.columns = info.columns;
-  series.count = info.count;
-  series.cycle_time = info.cycle_time;
-  series.independent = info.independent;
-  series.pose_frame = info.pose_frame;
-  series.read = [&store, info, chunk = std::make_shared<Chunk>()](std::size_t first, std::size_t rows,
-                                                                  std::vector<double>& out) {
-    const std::size_t width = info.columns.size();
-    out.resize(rows * width);
-    for (std::size_t done = 0; done < rows;) {
-      const std::size_t at = first + done, start = at - at % info.chunk_rows;
-      if (chunk->first != start) {
-        store.read_chunk(info, start, chunk->values);
-        chunk->first = start;
-      }
-      const std::size_t take = std::min(rows - done, start + info.chunk_rows - at);
-      std::copy_n(chunk->values.begin() + static_cast<std::ptrdiff_t>((at - start) * width), take * width,
-                  out.begin() + static_cast<std::ptrdiff_t>(done * width));
-      done += take;
-    }
-  };
-  return series;
 }
 
 /// Answers a file that the job's kind makes of its stored result.
@@ -76,10 +45,11 @@ Response kind_file(Context& context, const Request& request, const std::string& 
 Response setpoint_rows(Context& context, const Request& request, const api::SetpointQuery& query,
                        api::SetpointFormat format) {
   const std::string& id = request.parameter("id");
-  const auto info = context.store.series(id);
-  if (!info) throw api::Problem("not-found", "The job " + api::shortened(id) + " has no setpoints.");
+  const auto is_computed = [](const std::string& column) { return column == "use" || column == "limit"; };
+  const bool views = query.points || std::any_of(query.columns.begin(), query.columns.end(), is_computed);
+  const SeriesInfo info = views ? require_views(context, id) : require_series(context, id);
   const auto stream =
-      std::make_shared<api::SetpointStream>(api::SetpointStream(stored_series(context.store, *info), query, format));
+      std::make_shared<api::SetpointStream>(api::SetpointStream(stored_series(context.store, info), query, format));
   std::string columns;
   for (const Column& column : stream->columns()) columns += (columns.empty() ? "" : ",") + column.name;
   Response response;

@@ -36,6 +36,7 @@ TEST(OpenApi, ListsExactlyTheRoutes) {
                                        "GET /v1/jobs/{id}/events",
                                        "GET /v1/jobs/{id}/result",
                                        "GET /v1/jobs/{id}/setpoints",
+                                       "GET /v1/jobs/{id}/limits",
                                        "POST /v1/jobs/{id}/cancel",
                                        "POST /v1/jobs/{id}/retry",
                                        "GET /v1/kinds",

@@ -130,6 +130,9 @@ test('gives columns', async () => {
   assert.deepEqual(Object.keys(part), ['vx', 'x']);
   assert.deepEqual([...part.x], [10, 12, 14, 16].map((row) => rows.x[row]));
   assert.equal((await failure(client.rows(job.id, { columns: ['nonsense'] }))).status, 422);
+  const { limits, points } = await client.limits(job.id, { points: 5 });
+  assert.ok(Math.abs(limits.reduce((sum, limit) => sum + limit.share, 0) - 1) < 1e-12);
+  assert.equal(points.shares[0].length, 5);
 });
 
 test('checks who calls', () => {

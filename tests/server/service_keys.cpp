@@ -37,6 +37,7 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"GET /v1/jobs/{id}/events", 200},
                                          {"GET /v1/jobs/{id}/result", 200},
                                          {"GET /v1/jobs/{id}/setpoints", 200},
+                                         {"GET /v1/jobs/{id}/limits", 200},
                                          {"POST /v1/jobs/{id}/cancel", 202},
                                          {"POST /v1/jobs/{id}/retry", 409},  // it succeeded
                                          {"POST /v1/jobs/cancel", 422},      // without a filter

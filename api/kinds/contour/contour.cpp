@@ -231,6 +231,24 @@ Planned plan_with_fine_axes(const ContourJob& job, Progress& progress) {
   return planned;
 }
 
+/// Returns the machine with the limits that the job's method holds.
+Machine limits_held(const ContourJob& job) {
+  Machine machine = job.head;
+  if (!method_row(job.planning.method).limits_jerk)
+    for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
+  return machine;
+}
+
+/// Returns all coarse and fine axes with their limits, named as their columns are.
+Machine stage_axes(const CoarseFineMachine& machine) {
+  Machine axes;
+  for (const bool fine : {false, true})
+    for (const CoarseFineAxis& axis : machine.axes)
+      if (!fine || axis.stroke > 0)
+        axes.axes.emplace_back(axis.name + (fine ? "f" : "c"), fine ? axis.fine : axis.coarse);
+  return axes;
+}
+
 void report_fine_axes(const ContourJob& job, const Planned& planned, Progress& progress, KindReport& out) {
   const CoarseFinePlan& plan = *planned.coarse_fine;
   report(plan, *job.coarse_fine, job.redundancy.method, job.program, out);
@@ -251,6 +269,26 @@ struct ContourKind {
     job.contour = geometry(spec, progress);
     check_contour(job.contour, job);
     return job;
+  }
+
+  static ViewFacts view_facts(const ContourJob& job) {
+    ViewFacts facts;
+    std::vector<double> feeds;
+    for (const Block& block : job.contour.blocks) feeds.push_back(std::min(block.feed, job.planning.along.velocity));
+    declare_feeds(facts.limits, feeds);
+    Limits along = job.planning.along;
+    along.velocity = unlimited;  // it is part of the feeds
+    if (!job.coarse_fine) {
+      declare_axes(facts.limits, limits_held(job));
+      declare_path(facts.limits, along);
+      return facts;
+    }
+    declare_axes(facts.limits, stage_axes(*job.coarse_fine));
+    declare_path(facts.limits, along);
+    for (const CoarseFineAxis& axis : job.coarse_fine->axes)
+      if (axis.stroke > 0)
+        facts.limits.push_back({"stroke " + axis.name + "f", "mm", axis.name + "f", 0, {-axis.stroke, axis.stroke}});
+    return facts;
   }
 
   static Planned plan(ContourJob& job, Progress& progress) {

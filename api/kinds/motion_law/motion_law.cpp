@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -88,6 +91,40 @@ LawPlan planned_law(const MotionLawRequest& asked, Progress& progress) {
   }
 }
 
+/// Returns the limits of the sections by angle, and those of the drive. Near a point whose angle the plan chooses, no
+/// section is certain, and nothing counts as limited.
+DeclaredLimits declared_limits(const cam::MotionLawProblem& problem) {
+  constexpr std::array<const char*, cam::limited_orders> names{"position", "velocity", "acceleration", "jerk"};
+  constexpr std::array<const char*, cam::limited_orders> per_time{"", "/s", "/s²", "/s³"};
+  const double rounding = 1e-9 * problem.length;
+  DeclaredLimits list;
+  for (std::size_t r = 0; r < names.size(); ++r) {
+    const auto section = [&](std::size_t i) {
+      const cam::Range& range = problem.points[i].section[r];
+      return Permitted{range.min, range.max};
+    };
+    const int order = static_cast<int>(r);
+    DeclaredLimit limit{std::string("section ") + names[r], problem.slave_unit + per_time[r], r == 0 ? "s" : "", order};
+    limit.key = "phi";
+    const std::size_t sections = problem.sections();
+    if (problem.periodic) limit.steps.push_back({-std::numeric_limits<double>::infinity(), section(sections - 1)});
+    for (std::size_t i = 0; i < problem.points.size(); ++i) {
+      const cam::Range& at = problem.points[i].at;
+      if (!at.fixed() || i == sections) limit.steps.push_back({at.min - rounding, {}});
+      if (i < sections) limit.steps.push_back({at.max - rounding, section(i)});
+    }
+    const auto is_none = [](const LimitStep& step) { return step.permitted.none(); };
+    if (!std::all_of(limit.steps.begin(), limit.steps.end(), is_none)) list.push_back(std::move(limit));
+  }
+  if (!problem.drive) return list;
+  const std::array<double, 3> drive{problem.drive->velocity, problem.drive->acceleration, problem.drive->jerk};
+  for (std::size_t r = 1; r < names.size(); ++r)
+    if (const double most = drive[r - 1]; std::isfinite(most))
+      list.push_back(
+          {std::string("drive ") + names[r], problem.slave_unit + per_time[r], "", static_cast<int>(r), {-most, most}});
+  return list;
+}
+
 struct MotionLawKind {
   static constexpr std::string_view name = "motion_law";
   static constexpr std::string_view title = "A motion law for a cam or servo drive";
@@ -106,6 +143,8 @@ struct MotionLawKind {
     for (const cam::MotionPoint& point : asked.problem.points) at.push_back(point.at.min);
     cam::check_spline(asked.problem, at);
   }
+
+  static ViewFacts view_facts(const MotionLawRequest& asked) { return {declared_limits(asked.problem)}; }
 
   static MotionLawPlan plan(const MotionLawRequest& asked, Progress& progress) {
     MotionLawPlan plan{planned_law(asked, progress), {}, {}};

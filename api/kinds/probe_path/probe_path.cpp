@@ -35,6 +35,16 @@ struct ProbePathKind {
 
   static Asked read(const json& spec, Progress&) { return {request(spec), notes(spec)}; }
 
+  static ViewFacts view_facts(const Asked& asked) {
+    const ProbeProblem& problem = asked.probe.problem;
+    ViewFacts facts;
+    facts.limits.push_back({"speed", "mm/s", "", 1, {-problem.speed, problem.speed}});
+    declare_axes(facts.limits, problem.machine);
+    if (problem.tolerance > 0)
+      facts.limits.push_back({"tube", "mm", "deviation", 0, {-problem.tolerance, problem.tolerance}});
+    return facts;
+  }
+
   static ProbePlan plan(const Asked& asked, Progress& progress) { return plan_probe(asked.probe, progress); }
 
   static KindReport report(const Asked& asked, ProbePlan& plan, Progress& progress) {

@@ -1,8 +1,10 @@
 #include "api/kinds/winding/winding.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <utility>
 
 #include "api/kind_frame.hpp"
@@ -41,12 +43,32 @@ ordered_json summary(const WindingRequest& request, const WindingPlan& plan) {
           {"clearance", std::isfinite(least) ? ordered_json(least) : ordered_json()}};
 }
 
+/// Returns the axes with their limits in the units of the setpoints.
+Machine in_degrees(const Kinematics& kinematics) {
+  Machine machine{kinematics.axes(), 0};
+  for (AxisLimits& axis : machine.axes) {
+    if (axis.unit != "rad") continue;
+    axis.unit = "deg";
+    for (int order = 1; order <= Limits::highest_order; ++order) axis.of(order) *= 180 / std::numbers::pi;
+  }
+  return machine;
+}
+
 struct WindingKind {
   static constexpr std::string_view name = "winding";
   static constexpr std::string_view title =
       "Coils of a stator or rotor wound by a needle, from slot to machine setpoints";
 
   static WindingRequest read(const json& spec, Progress&) { return request(spec); }
+
+  static ViewFacts view_facts(const WindingRequest& asked) {
+    ViewFacts facts;
+    declare_path(facts.limits, asked.along);
+    declare_axes(facts.limits, in_degrees(*asked.configurations.front()));
+    const double bears = std::min(asked.tension.permitted, asked.bears > 0 ? asked.bears : unlimited);
+    if (std::isfinite(bears)) facts.limits.push_back({"wire tension", "N", "brake", 0, {-bears, bears}});
+    return facts;
+  }
 
   static WindingPlan plan(const WindingRequest& asked, Progress& progress) {
     try {

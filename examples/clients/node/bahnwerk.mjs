@@ -162,6 +162,15 @@ export class Client {
     return Object.fromEntries(names.map((name, k) => [name, column(k)]));
   }
 
+  /** Which limits kept the motion from being faster: `limits` with time and share of each; with `points` also shares
+   *  in that many intervals. */
+  async limits(id, { first = 0, count, points } = {}) {
+    const query = new URLSearchParams({ first });
+    if (count !== undefined) query.set('count', count);
+    if (points !== undefined) query.set('points', points);
+    return this.#json(path(id, `/limits?${query}`));
+  }
+
   /** submit, wait, result. */
   async plan(document, options) {
     const job = await this.submit(document);

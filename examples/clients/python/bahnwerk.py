@@ -207,6 +207,16 @@ class Client:
             values = [flat[k :: len(names)].tolist() for k in range(len(names))]
         return Rows(names, values, first, every)
 
+    def limits(self, id, first=0, count=None, points=None):
+        """Which limits kept the motion from being faster: `limits` with time and share of each; with `points` also
+        shares in that many intervals."""
+        query = {"first": first}
+        if count is not None:
+            query["count"] = count
+        if points is not None:
+            query["points"] = points
+        return self._json("GET", self._path(id, "/limits?") + urllib.parse.urlencode(query))
+
     def plan(self, document, timeout=None, on_progress=None):
         """submit, wait, result."""
         job = self.submit(document)

@@ -9,6 +9,7 @@
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/migrate.hpp"
 #include "server/store/sqlite/reader.hpp"
+#include "server/store/sqlite/rows.hpp"
 
 namespace bahnwerk::server {
 namespace {

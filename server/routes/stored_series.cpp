@@ -1,0 +1,95 @@
+#include "server/routes/stored_series.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "api/kind.hpp"
+#include "api/problem.hpp"
+#include "api/text/pointer.hpp"
+#include "api/views/view_facts.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+/// Returns what the views need of the stored document; nothing where this version refuses it.
+std::shared_ptr<const api::ViewFacts> facts_of(Context& context, const std::string& id) {
+  const auto job = context.store.get(id, true);
+  const api::Kind* kind = job ? api::find_kind(job->request.kind) : nullptr;
+  if (!kind || !kind->view_facts) return nullptr;
+  SilentProgress progress;
+  try {
+    return kind->view_facts(api::job_spec(job->request.document), progress);
+  } catch (const InvalidInput&) {
+    return nullptr;
+  } catch (const api::Problem&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+SeriesInfo require_series(Context& context, const std::string& id) {
+  auto info = context.store.series(id);
+  if (!info) throw api::Problem("not-found", "The job " + api::shortened(id) + " has no setpoints.");
+  return std::move(*info);
+}
+
+SeriesInfo require_views(Context& context, const std::string& id) {
+  SeriesInfo info = require_series(context, id);
+  if (info.views == api::views_version) return info;
+  constexpr std::size_t bytes_at_once = 4 << 20;
+  std::vector<api::ViewPart> parts;
+  std::size_t bytes = 0;
+  const auto keep = [&](api::ViewPart part) {
+    bytes += part.bytes.size();
+    parts.push_back(std::move(part));
+    if (bytes < bytes_at_once) return;
+    context.store.put_views(info, parts, false);
+    parts.clear();
+    bytes = 0;
+  };
+  api::make_views({info.columns, info.count, info.cycle_time, facts_of(context, id)}, keep,
+                  stored_series(context.store, info).read);
+  context.store.put_views(info, parts, true);
+  info.views = api::views_version;
+  return info;
+}
+
+api::ViewReader view_reader(Store& store, const SeriesInfo& info) {
+  return [&store, info](std::string_view name, std::size_t part) { return store.read_view(info, name, part); };
+}
+
+api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
+  struct Chunk {
+    std::size_t first = static_cast<std::size_t>(-1);
+    std::vector<double> values;
+  };
+  api::SetpointSeries series;
+  series.columns = info.columns;
+  series.count = info.count;
+  series.cycle_time = info.cycle_time;
+  series.independent = info.independent;
+  series.pose_frame = info.pose_frame;
+  if (info.views == api::views_version) series.view = view_reader(store, info);
+  series.read = [&store, info, chunk = std::make_shared<Chunk>()](std::size_t first, std::size_t rows,
+                                                                  std::vector<double>& out) {
+    const std::size_t width = info.columns.size();
+    out.resize(rows * width);
+    for (std::size_t done = 0; done < rows;) {
+      const std::size_t at = first + done, start = at - at % info.chunk_rows;
+      if (chunk->first != start) {
+        store.read_chunk(info, start, chunk->values);
+        chunk->first = start;
+      }
+      const std::size_t take = std::min(rows - done, start + info.chunk_rows - at);
+      std::copy_n(chunk->values.begin() + static_cast<std::ptrdiff_t>((at - start) * width), take * width,
+                  out.begin() + static_cast<std::ptrdiff_t>(done * width));
+      done += take;
+    }
+  };
+  return series;
+}
+
+}  // namespace bahnwerk::server
