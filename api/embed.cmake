@@ -1,12 +1,13 @@
-# Writes OUT, a C++ file with the table embedded_files(), from FILES. One literal per line keeps every literal short.
+# Writes OUT, a C++ file with the table of FILES that FUNCTION returns. A file's name in it is relative to BASE, without .json. One literal per line keeps every literal short.
 set(table "")
 foreach(file IN LISTS FILES)
-  get_filename_component(name ${file} NAME_WLE)
+  file(RELATIVE_PATH name ${BASE} ${file})
+  string(REGEX REPLACE "\\.json$" "" name ${name})
   file(READ ${file} text)
   string(REPLACE "\n" "\n)~~\"\n    R\"~~(" text "${text}")
   string(APPEND table "    {\"${name}\",\n    R\"~~(${text})~~\"},\n")
 endforeach()
-file(WRITE ${OUT} "// Made from schemas/*.json.
+file(WRITE ${OUT} "// Made from the files below ${BASE}.
 #include \"api/schema/embedded.hpp\"
 
 namespace bahnwerk::api {
@@ -14,6 +15,6 @@ namespace {
 constexpr EmbeddedFile files[] = {
 ${table}};
 }
-std::span<const EmbeddedFile> embedded_files() { return files; }
+std::span<const EmbeddedFile> ${FUNCTION}() { return files; }
 }  // namespace bahnwerk::api
 ")

@@ -98,17 +98,9 @@ std::string without_secret(std::string_view document) {
   return text;
 }
 
-}  // namespace
-
-std::string_view to_string(JobState state) { return state_names[static_cast<std::size_t>(state)]; }
-
-std::optional<JobState> job_state(std::string_view text) {
-  for (std::size_t i = 0; i < state_names.size(); ++i)
-    if (state_names[i] == text) return static_cast<JobState>(i);
-  return std::nullopt;
-}
-
-JobRequest parse_job(std::string_view body, Progress* progress) {
+/// Reads and checks a whole document; `check(kind, spec, progress)` is the check of its spec.
+template <class Check>
+JobRequest checked_job(std::string_view body, Progress* progress, const Check& check) {
   SilentProgress silent;
   Progress& asked = progress ? *progress : silent;
   const json document = parse_json(body);
@@ -133,7 +125,7 @@ JobRequest parse_job(std::string_view body, Progress* progress) {
       for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec", asked))
         errors.push_back(std::move(error));
     asked.report("read", 0);
-    if (errors.empty()) request.planning_time = kind->check(document["spec"], asked);
+    if (errors.empty()) check(*kind, document["spec"], asked);
   } catch (const Stopped&) {
     request.checked = false;
   }
@@ -153,6 +145,34 @@ JobRequest parse_job(std::string_view body, Progress* progress) {
     request.callback = Callback{callback.at("url").get<std::string>(), optional_string(callback, "secret")};
   request.document = callback.is_object() ? without_secret(body) : std::string(body);
   return request;
+}
+
+}  // namespace
+
+std::string_view to_string(JobState state) { return state_names[static_cast<std::size_t>(state)]; }
+
+std::optional<JobState> job_state(std::string_view text) {
+  for (std::size_t i = 0; i < state_names.size(); ++i)
+    if (state_names[i] == text) return static_cast<JobState>(i);
+  return std::nullopt;
+}
+
+JobRequest parse_job(std::string_view body, Progress* progress) {
+  std::optional<PlanningTime> time;
+  JobRequest request = checked_job(body, progress, [&](const Kind& kind, const json& spec, Progress& asked) {
+    time = kind.check(spec, asked);
+  });
+  request.planning_time = std::move(time);
+  return request;
+}
+
+ordered_json preview_job(std::string_view body, Progress* progress) {
+  ordered_json said{{"notes", ordered_json::array()}, {"estimate", nullptr}, {"outline", nullptr}};
+  const JobRequest request = checked_job(
+      body, progress, [&](const Kind& kind, const json& spec, Progress& asked) { said = kind.preview(spec, asked); });
+  ordered_json answer{{"kind", request.kind}, {"checked", request.checked}};
+  answer.update(said);
+  return answer;
 }
 
 void check_job(std::string_view document, Progress& progress) {

@@ -52,6 +52,10 @@ JobRequest parse_job(std::string_view body, Progress* progress = nullptr);
 /// parse_job does, and what `progress` throws.
 void check_job(std::string_view document, Progress& progress);
 
+/// Checks a job document as parse_job() does and returns {"kind", "notes", "estimate", "outline"}, which is what can be
+/// said of its plan before it is made; with `checked` false and null members where `progress` stopped the check.
+nlohmann::ordered_json preview_job(std::string_view body, Progress* progress = nullptr);
+
 /// Returns the spec of a checked document, with each number in its canonical form (2.0 = 2), as it is planned. Asks
 /// `progress` while reading, if given.
 nlohmann::json job_spec(std::string_view document, Progress* progress = nullptr);

@@ -44,6 +44,9 @@ struct Kind {
   /// Checks a spec that passed the schema; throws Problem "semantic-violation" naming every fault, and Stopped. Returns
   /// the expected planning time, if the kind can tell.
   std::optional<PlanningTime> (*check)(const nlohmann::json& spec, Progress& progress);
+  /// Checks like `check` and returns what can be said of the plan before it is made: `notes`, `estimate` and `outline`
+  /// of the answer to POST /v1/check.
+  nlohmann::ordered_json (*preview)(const nlohmann::json& spec, Progress& progress);
   /// Plans a spec. Equal specs and versions give identical results. Throws core's errors; never returns an unverified
   /// plan as verified.
   PlannedJob (*plan)(const nlohmann::json& spec, Progress& progress);

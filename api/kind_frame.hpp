@@ -7,6 +7,10 @@
 ///   Plan plan(Request&, Progress&)                  throws core's errors
 ///   KindReport report(const Request&, Plan&, Progress&)
 ///
+/// and, if something can be said of a plan before it is made,
+///
+///   ordered_json preview(const Request&, Progress&)   any of the members `notes`, `estimate`, `outline`
+///
 /// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
 /// document is submitted; if the kind knows how long its plans take, expected_time(const Request&); if it has setpoints,
 /// view_facts(const Request&), which returns the ViewFacts of a series; and if it makes files of a result, `ResultFiles
@@ -35,24 +39,42 @@ struct KindReport {
   nlohmann::ordered_json verification;  ///< result of api/verification.hpp, possibly extended by the kind
   nlohmann::ordered_json bound;         ///< value, gap and basis, as api/verification.hpp writes them
   nlohmann::ordered_json details;
-  nlohmann::ordered_json drawings = nullptr;            ///< SVG and DXF texts by file name; null: none
-  std::unique_ptr<SetpointSource> setpoints = nullptr;  ///< nullptr if the kind has none
+  nlohmann::ordered_json drawings = nullptr;               ///< SVG and DXF texts by file name; null: none
+  std::unique_ptr<SetpointSource> setpoints = nullptr;     ///< nullptr if the kind has none
+  std::shared_ptr<const SegmentTable> segments = nullptr;  ///< what is driven when; nullptr if the kind has none
 };
 
 /// Returns the result document with its setpoints; the plan is verified if `verification.passed` is true.
 PlannedJob planned_job(std::string_view kind, KindReport report);
 
 template <class K>
-/// Implements Kind::check.
-std::optional<PlanningTime> check_spec(const nlohmann::json& spec, Progress& progress) {
+/// Returns the request of a spec, checked.
+auto checked_request(const nlohmann::json& spec, Progress& progress) {
   try {
-    const auto request = K::read(spec, progress);
+    auto request = K::read(spec, progress);
     if constexpr (requires { K::check(request); }) K::check(request);
-    if constexpr (requires { K::expected_time(request); }) return K::expected_time(request);
-    return std::nullopt;
+    return request;
   } catch (const InvalidInput&) {
     throw problem_from_current_exception("/spec");
   }
+}
+
+template <class K>
+/// Implements Kind::check.
+std::optional<PlanningTime> check_spec(const nlohmann::json& spec, Progress& progress) {
+  const auto request = checked_request<K>(spec, progress);
+  if constexpr (requires { K::expected_time(request); }) return K::expected_time(request);
+  return std::nullopt;
+}
+
+template <class K>
+/// Implements Kind::preview.
+nlohmann::ordered_json preview_spec(const nlohmann::json& spec, Progress& progress) {
+  const auto request = checked_request<K>(spec, progress);
+  nlohmann::ordered_json preview{
+      {"notes", nlohmann::ordered_json::array()}, {"estimate", nullptr}, {"outline", nullptr}};
+  if constexpr (requires { K::preview(request, progress); }) preview.update(K::preview(request, progress));
+  return preview;
 }
 
 template <class K>
@@ -65,11 +87,12 @@ template <class K>
 PlannedJob plan_spec(const nlohmann::json& spec, Progress& progress) {
   progress.report("read", 0.0);
   auto request = K::read(spec, progress);
-  std::shared_ptr<const ViewFacts> facts;
-  if constexpr (HasViewFacts<K>)
-    facts = std::make_shared<const ViewFacts>(K::view_facts(request));  // first: a plan may take its request apart
+  auto facts = std::make_shared<ViewFacts>();
+  if constexpr (HasViewFacts<K>) *facts = K::view_facts(request);  // first: a plan may take its request apart
   auto plan = K::plan(request, progress);
-  PlannedJob job = planned_job(K::name, K::report(request, plan, progress));
+  KindReport report = K::report(request, plan, progress);
+  facts->segments = std::move(report.segments);
+  PlannedJob job = planned_job(K::name, std::move(report));
   job.view_facts = std::move(facts);
   return job;
 }
@@ -82,8 +105,8 @@ std::shared_ptr<const ViewFacts> view_facts_of_spec(const nlohmann::json& spec, 
 
 template <class K>
 Kind kind_of() {
-  Kind kind{K::name,       K::title,    embedded(K::name), embedded(std::string(K::name) + ".result"),
-            check_spec<K>, plan_spec<K>};
+  Kind kind{K::name,       K::title,        embedded(K::name), embedded(std::string(K::name) + ".result"),
+            check_spec<K>, preview_spec<K>, plan_spec<K>};
   if constexpr (HasViewFacts<K>) kind.view_facts = view_facts_of_spec<K>;
   if constexpr (requires { K::files; }) kind.files = K::files;
   return kind;

@@ -15,14 +15,13 @@ namespace {
 /// "velocity x: 1801.2 mm/s, limit 1800 mm/s, at 0.25 s; …", of the checks that failed, with place and advice where the
 /// kind knows them.
 std::string failed_checks(const nlohmann::ordered_json& result) {
-  const std::string unit_of_at =
-      result.contains("setpoints") ? " s" : "";  // without setpoints `at` has the kind's own unit, such as a wire
   std::string text;
   for (const auto& check : result.at("verification").at("checks")) {
     if (check.at("passed").get<bool>()) continue;
     const auto unit = check.at("unit").get<std::string>();
     text += (text.empty() ? "" : "; ") + check.at("name").get<std::string>() + ": " + check.at("value").dump() + " " +
-            unit + ", limit " + check.at("limit").dump() + " " + unit + ", at " + check.at("at").dump() + unit_of_at;
+            unit + ", limit " + check.at("limit").dump() + " " + unit + ", at " + check.at("at").dump() + " " +
+            check.at("at_unit").get<std::string>();
     if (check.contains("place")) text += " (" + check.at("place").at("words").get<std::string>() + ")";
     if (check.contains("change")) text += ": " + check.at("change").get<std::string>();
   }

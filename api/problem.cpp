@@ -1,10 +1,12 @@
 #include "api/problem.hpp"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "api/text/pointer.hpp"
 #include "core/base/errors.hpp"
@@ -144,6 +146,15 @@ Problem semantic(const InvalidInput& fault, std::string_view prefix) {
   return {"semantic-violation", detail, std::move(errors)};
 }
 
+/// Returns the line of the program or drawing in which a fault is; the message of such a fault begins with it.
+std::optional<std::size_t> line_of(std::string_view message) {
+  constexpr std::string_view word = "line ";
+  std::size_t line = 0;
+  if (!message.starts_with(word)) return std::nullopt;
+  const auto [end, error] = std::from_chars(message.data() + word.size(), message.data() + message.size(), line);
+  return error == std::errc() ? std::optional(line) : std::nullopt;
+}
+
 /// Returns a length or an angle to a thousandth of its unit.
 std::string rounded(double value) { return number_text(std::round(1000 * value) / 1000 + 0.0, 12); }
 
@@ -185,7 +196,10 @@ nlohmann::json Problem::document(std::string_view instance) const {
   if (!instance.empty()) document["instance"] = instance;
   if (!errors_.empty()) {
     auto& list = document["errors"] = nlohmann::json::array();
-    for (const auto& error : errors_) list.push_back({{"pointer", error.pointer}, {"message", error.message}});
+    for (const auto& error : errors_) {
+      list.push_back({{"pointer", error.pointer}, {"message", error.message}});
+      if (const auto line = line_of(error.message)) list.back()["line"] = *line;
+    }
   }
   if (!error_.empty()) document["error"] = nlohmann::json::parse(error_);
   return document;

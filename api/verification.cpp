@@ -8,14 +8,16 @@
 
 namespace bahnwerk::api {
 
-nlohmann::ordered_json verification(const Verification& verdict) {
+nlohmann::ordered_json verification(const Verification& verdict, const char* at_unit) {
   nlohmann::ordered_json checks = nlohmann::ordered_json::array();
   for (const auto& c : verdict.checks)
     checks.push_back({{"name", check_name(c)},
+                      {"group", check_group(c)},
                       {"unit", check_unit(c)},
                       {"limit", c.limit},
                       {"value", c.value},
                       {"at", c.at},
+                      {"at_unit", at_unit},
                       {"passed", c.passed}});
   return {{"passed", verdict.passed}, {"checks", std::move(checks)}};
 }

@@ -6,7 +6,8 @@
 
 namespace bahnwerk::api {
 
-nlohmann::ordered_json verification(const Verification& verdict);
+/// Reports the checks. `at_unit` is the unit of the places at which their values occur.
+nlohmann::ordered_json verification(const Verification& verdict, const char* at_unit = "s");
 /// Returns {"duration" | "count" | "objective", "gap", "basis"}; counts are integers.
 nlohmann::ordered_json bound(const Bound& bound);
 

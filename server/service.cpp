@@ -7,6 +7,7 @@
 #include "server/http/key_gate.hpp"
 #include "server/http/middleware.hpp"
 #include "server/http/packing.hpp"
+#include "server/routes/examples.hpp"
 #include "server/routes/login.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/descriptors.hpp"
@@ -41,7 +42,7 @@ Limits affordable(Limits limits) {
 
 }  // namespace
 
-Engine real_engine() { return {api::parse_job, api::plan_job, api::check_job}; }
+Engine real_engine() { return {api::parse_job, api::plan_job, api::check_job, api::preview_job}; }
 
 Service::Service(const ServiceOptions& options, Engine engine, const TimeSource& time)
     : options_(options), time_(time), notifier_(time) {
@@ -58,6 +59,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                                 .connections = [this](std::size_t open) { metrics_.connections(open); },
                                                 .proxies = TrustedProxies(options.trusted_proxies)});
   check_store(options.store);
+  std::vector<api::MachineFile> machines = offered_machines(options.machines);
   listener_->open(options.listen, options.tls, options.socket_mode);
   if (!options.insecure_listen && listener_->reachable() && list_keys(options.store).empty())
     throw std::runtime_error(
@@ -104,6 +106,8 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                                *heavy_,
                                                metrics_,
                                                std::move(engine.parse),
+                                               std::move(engine.preview),
+                                               std::move(machines),
                                                options.max_queued,
                                                options.max_planning,
                                                options.limits.max_body,
@@ -118,6 +122,8 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   add_result_routes(router_, *context_);
   add_limits_routes(router_, *context_);
   add_meta_routes(router_, *context_);
+  add_path_routes(router_, *context_);
+  add_example_routes(router_, *context_);
   add_health_routes(router_, *context_);
   add_page_routes(router_, *context_);
   keys_ = std::make_unique<KeyRing>(*store_, [this] { notifier_.all_changed(); });

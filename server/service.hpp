@@ -36,6 +36,7 @@ struct ServiceOptions {
   TlsFiles tls;
   unsigned socket_mode = 0660;                      ///< permissions of a Unix socket
   bool insecure_listen = false;                     ///< listen beyond this machine without keys
+  std::string machines;                             ///< folder with machines of the plant; empty: none
   std::chrono::milliseconds max_planning{600'000};  ///< time of a plan; then it ends as budget-exhausted
   Limits limits;
   std::chrono::milliseconds event_heartbeat{15'000};  ///< longest silence of a stream of events
@@ -51,6 +52,7 @@ struct Engine {
   Parser parse;
   Planner plan;
   Checker check = {};  ///< none: no check is stopped
+  Previewer preview = {};
 };
 Engine real_engine();
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/base/verification.hpp"
 
@@ -160,6 +162,89 @@ inline std::string check_name(const Checked& what, double limit) {
 }
 
 inline std::string check_name(const Check& check) { return check_name(check, check.limit); }
+
+namespace text {
+
+/// Returns the group of a check that one kind alone has, by the words that its name begins with.
+inline const char* group_of_named(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 8> groups{{{"continuity", "continuity"},
+                                                                            {"table", "setpoints"},
+                                                                            {"setpoints", "setpoints"},
+                                                                            {"bound", "bound"},
+                                                                            {"objective", "bound"},
+                                                                            {"cam", "geometry"},
+                                                                            {"deviation", "geometry"},
+                                                                            {"points", "geometry"}}};
+  for (const auto& [words, group] : groups)
+    if (name.starts_with(words)) return group;
+  return "limit";
+}
+
+}  // namespace text
+
+/// Returns what a check is about: `limit` (a limit of the document is held), `geometry` (the path, the layout),
+/// `continuity` (of the motion, with its rests), `setpoints` (the rows are those of the motion) or `bound`.
+inline const char* check_group(const Checked& what) {
+  using enum CheckedQuantity;
+  switch (what.quantity) {
+    case named:
+      return text::group_of_named(what.subject);
+    case axis:
+    case path:
+    case feed:
+    case dwell:
+    case stroke:
+    case chord_error:
+    case half_speed_feed:
+    case pull:
+    case slack:
+      return "limit";
+    case joint_step:
+    case corner_rest:
+    case cusp_rest:
+    case start_rest:
+    case end_rest:
+    case continuity:
+    case time_continuity:
+    case duration:
+    case forward:
+    case centred_start:
+    case centred_end:
+      return "continuity";
+    case segments:
+    case coverage:
+    case path_distance:
+    case arc_length:
+    case block_order:
+    case deviation:
+    case tip_position:
+    case tip_angle:
+    case clearance:
+    case wire_overlap:
+    case boundary_overlap:
+    case wires_missing:
+      return "geometry";
+    case bound:
+      return "bound";
+    case rows_count:
+    case rows_time:
+    case rows_path:
+    case rows_speed:
+    case rows_forward:
+    case rows:
+    case rows_end:
+    case rows_end_rest:
+    case rows_labels:
+    case rows_sum:
+    case rows_stroke:
+    case rows_fine:
+    case rows_pose:
+    case axis_differences:
+    case path_differences:
+      return "setpoints";
+  }
+  return "limit";
+}
 
 /// Returns the unit of a check, such as "mm/s²": the unit of order 0 divided by a power of the independent variable's.
 inline std::string check_unit(const Checked& what) {

@@ -5,6 +5,8 @@
 
 #include "api/views/envelope_view.hpp"
 #include "api/views/limits_view.hpp"
+#include "api/views/path_levels.hpp"
+#include "api/views/segments.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 using MakeView = std::unique_ptr<View> (*)(const ViewInput& input, const ViewSink& sink);
 
 /// All views; an entry returns nullptr for a series of which the view does not exist. `sink` outlives the view.
-constexpr MakeView all_views[] = {make_envelope, make_limits};
+constexpr MakeView all_views[] = {make_envelope, make_limits, segment_view, path_view};
 
 }  // namespace
 

@@ -100,6 +100,11 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
                 "room of the store: beyond it the jobs that ended first are removed; bytes or with a suffix: 50GiB",
                 std::size_t{1} << 20)
           ->default_str(""));
+  env(app.add_option(
+             "--machines", options.machines,
+             "folder with machines of the plant, a JSON file each, which /v1/machines offers beside the shipped "
+             "ones; one of the same name replaces a shipped one")
+          ->type_name("DIR"));
   env(app.add_option("--workers", options.workers, "planner threads; 0 accepts jobs without planning them")
           ->check(CLI::Range(0, 1024)));
   env(app.add_option("--worker-nice", options.worker_nice,

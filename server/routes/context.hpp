@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 
+#include "api/examples.hpp"
 #include "server/callbacks/callback_hosts.hpp"
 #include "server/http/router.hpp"
 #include "server/jobs/live.hpp"
@@ -19,6 +20,8 @@ namespace bahnwerk::server {
 
 /// Checks a posted document: api::parse_job in the service, a small function in tests.
 using Parser = std::function<api::JobRequest(std::string_view body, Progress* progress)>;
+/// Checks a posted document for POST /v1/check: api::preview_job in the service.
+using Previewer = std::function<nlohmann::ordered_json(std::string_view body, Progress* progress)>;
 
 struct Context {
   Store& store;
@@ -31,6 +34,8 @@ struct Context {
   Pool& heavy;   ///< one thread, for large documents and long checks: one after the other
   Metrics& metrics;
   Parser parse;
+  Previewer preview;
+  std::vector<api::MachineFile> machines;  ///< machines to be offered
   std::size_t max_queued;
   std::chrono::milliseconds max_planning;  ///< limit of the time of a plan
   std::size_t max_body;                    ///< bytes of a body, also after decompression
@@ -45,11 +50,13 @@ struct Context {
 
 void add_job_routes(Router& router,
                     Context& context);  ///< POST and GET /v1/jobs, GET/DELETE /v1/jobs/{id}, spec, events, cancel
-void add_result_routes(Router& router, Context& context);  ///< /v1/jobs/{id}/result, /v1/jobs/{id}/setpoints
-void add_limits_routes(Router& router, Context& context);  ///< /v1/jobs/{id}/limits
-void add_meta_routes(Router& router, Context& context);    ///< kinds, schemas, openapi.json, problems
-void add_health_routes(Router& router, Context& context);  ///< healthz, readyz, metrics
-void add_page_routes(Router& router, Context& context);    ///< the list of jobs and a page per job
+void add_result_routes(Router& router, Context& context);   ///< /v1/jobs/{id}/result, /v1/jobs/{id}/setpoints
+void add_limits_routes(Router& router, Context& context);   ///< /v1/jobs/{id}/limits
+void add_meta_routes(Router& router, Context& context);     ///< kinds, schemas, openapi.json, problems
+void add_path_routes(Router& router, Context& context);     ///< /v1/jobs/{id}/path, /v1/jobs/{id}/blocks
+void add_example_routes(Router& router, Context& context);  ///< check, examples, machines
+void add_health_routes(Router& router, Context& context);   ///< healthz, readyz, metrics
+void add_page_routes(Router& router, Context& context);     ///< the list of jobs and a page per job
 
 /// Returns the current state of the job, without its document; throws Problem not-found.
 api::Job find_job(Context& context, const std::string& id);

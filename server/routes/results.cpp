@@ -5,6 +5,7 @@
 #include "api/problem.hpp"
 #include "api/setpoints/result_files.hpp"
 #include "api/setpoints/setpoints.hpp"
+#include "api/text/json_parts.hpp"
 #include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
@@ -13,8 +14,44 @@
 namespace bahnwerk::server {
 namespace {
 
+/// Returns the names of `parts`; empty: the whole result. Throws Problem schema-violation for what is no list of names.
+std::vector<std::string> asked_parts(const Request& request) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : request.query) {
+    if (name != "parts") continue;
+    for (std::size_t at = 0; at <= value.size();) {
+      const std::size_t comma = std::min(value.find(',', at), value.size());
+      parts.push_back(value.substr(at, comma - at));
+      at = comma + 1;
+    }
+  }
+  const auto faulty = [](const std::string& part) {
+    const bool plain = std::all_of(part.begin(), part.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+    });
+    return !plain || part.empty() || part.front() == '.' || part.back() == '.' || part.find("..") != part.npos;
+  };
+  if (parts.size() > 50 || std::any_of(parts.begin(), parts.end(), faulty)) {
+    const std::string message = "must be at most 50 names of members, such as summary,details.slowest";
+    throw api::Problem("schema-violation", "/query/parts: " + message, {{"/query/parts", message}});
+  }
+  return parts;
+}
+
+/// Answers members of a stored result, which is read up to the last of them.
+Response some_parts(StoredText& document, const std::vector<std::string>& names) {
+  api::JsonParts parts(names);
+  std::string piece;
+  for (bool more = true; more && document.next(piece);) {
+    more = parts.take(piece);
+    piece.clear();
+  }
+  return text_answer(200, "application/json", parts.document());
+}
+
 Response result(Context& context, const Request& request) {
   require_json(request);
+  const std::vector<std::string> parts = asked_parts(request);
   const std::string& id = request.parameter("id");
   const api::Job job = require_result(context, id);
   return unless_known(request, content_etag(context, job, "result"), [&] {
@@ -22,6 +59,7 @@ Response result(Context& context, const Request& request) {
     if (!document) require_success(context, id);  // a failure of an older version
     if (!document)
       throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");  // the job was deleted in between
+    if (!parts.empty()) return some_parts(*document, parts);
     return text_answer("application/json", std::move(document));
   });
 }
@@ -99,7 +137,8 @@ void add_result_routes(Router& router, Context& context) {
                  [&context, succeeded](const Request&, const api::Job& job) {
                    return succeeded(job) ? content_etag(context, job, "result") : std::string();
                  },
-                 [&](const Request& request) { return result(context, request); }));
+                 [&](const Request& request) { return result(context, request); }),
+             {"parts"});
   router.add("GET", "/v1/jobs/{id}/setpoints", Access::read,
              scan_unless_known(
                  context,

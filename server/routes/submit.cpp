@@ -1,55 +1,20 @@
 #include "server/routes/submit.hpp"
 
-#include <time.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <memory>
-#include <new>
 #include <nlohmann/json.hpp>
 
 #include "api/text/pointer.hpp"
-#include "core/base/errors.hpp"
-#include "core/base/progress.hpp"
-#include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
-#include "server/http/gzip.hpp"
 #include "server/keys/key_ring.hpp"
+#include "server/routes/document_check.hpp"
 #include "server/routes/watch.hpp"
 #include "server/runtime/clock.hpp"
-#include "server/runtime/memory.hpp"
 #include "server/runtime/sha256.hpp"
 
 namespace bahnwerk::server {
 namespace {
-
-constexpr std::size_t large_document = 1 << 20;  ///< bytes; a parsed document takes about 25 times its text
-
-/// A check at POST takes at most that long, counted from the end of the request, waiting included; what is more is
-/// checked by the worker. The reading of the text and of the envelope is not stopped.
-constexpr std::chrono::seconds check_time{2};
-/// Processor time of a check beside other ones; a longer check begins again on the thread of large documents.
-constexpr std::chrono::milliseconds quick_check{30};
-
-std::chrono::nanoseconds thread_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
-}
-
-/// Stops a check when `over` says so.
-class CheckProgress final : public Progress {
- public:
-  explicit CheckProgress(std::function<bool()> over) : over_(std::move(over)) {}
-  void report(std::string_view, double, std::string_view) override {
-    if (over_()) throw Stopped(StopReason::budget);
-    if (uses_memory() && memory_is_short()) throw std::bad_alloc();
-  }
-
- private:
-  const std::function<bool()> over_;
-};
 
 std::string idempotency_key(const Request& request) {
   const auto named = [](const auto& header) { return header.first == "idempotency-key"; };
@@ -129,20 +94,16 @@ Response accepted(const Context& context, const Request& request, const api::Job
 }
 
 /// A posted document on its way into the store.
-class Post : public std::enable_shared_from_this<Post> {
+class Post final : public DocumentCheck {
  public:
-  Post(Context& context, RequestPtr request, Reply reply, bool packed)
-      : context_(context),
-        request_(std::move(request)),
-        reply_(std::move(reply)),
-        packed_(packed),
-        until_(context.time.now() + check_time) {
+  Post(Context& context, const RequestPtr& request, const Reply& reply, bool packed)
+      : DocumentCheck(context, request, reply, packed) {
     job_.idempotency_key = idempotency_key(*request_);
   }
 
   /// Takes the document of a job that has failed or was cancelled.
   void retry() {
-    context_.scans.post([self = shared_from_this()] {
+    context_.scans.post([self = this_post()] {
       try {
         self->again();
       } catch (...) {
@@ -151,67 +112,7 @@ class Post : public std::enable_shared_from_this<Post> {
     });
   }
 
-  void begin() {
-    if (!packed_ && request_->body.size() > large_document) return take_turn();
-    context_.checks.post([self = shared_from_this()] { self->answered([&] { return self->quick(); }); });
-  }
-
  private:
-  /// Runs `work`, which returns false where the document has to take its turn; answers an exception.
-  template <class Work>
-  void answered(Work&& work) {
-    try {
-      if (!work()) take_turn();
-    } catch (...) {
-      reply_(answer_from_current_exception(*request_));
-    }
-  }
-
-  void take_turn() {
-    if (request_->listen)
-      request_->listen([weak = weak_from_this()] {
-        if (const auto self = weak.lock()) self->finish_ = true;
-      });
-    context_.heavy.post([self = shared_from_this()] {
-      self->answered([&] { return self->thorough(); });
-      give_back_memory();
-    });
-  }
-
-  /// Checks and stores a document of some kilobytes; returns false if it is none.
-  bool quick() {
-    if (!unpack(large_document)) return false;
-    const auto begin = thread_time();
-    CheckProgress progress([&] { return thread_time() - begin > quick_check; });
-    try {
-      job_.request = context_.parse(request_->body, &progress);
-    } catch (const std::bad_alloc&) {
-      return false;
-    }
-    if (!job_.request.checked) return false;
-    check_callback();
-    insert();
-    return true;
-  }
-
-  bool thorough() {
-    if (!unpack(context_.max_body))
-      throw http_problem(413,
-                         "The request body, unpacked, is larger than " + std::to_string(context_.max_body) + " bytes.");
-    CheckProgress progress([&] { return finish_ || context_.time.now() >= until_; });
-    try {
-      const MemoryUse use;
-      job_.request = context_.parse(request_->body, &progress);
-    } catch (const std::bad_alloc&) {
-      throw api::Problem("semantic-violation",
-                         "The memory that the service may use does not suffice to check the document: divide it, or "
-                         "describe it with curves instead of many short lines.");
-    }
-    check_callback();
-    insert();
-    return true;
-  }
-
   /// Throws Problem where the document has a callback that this service would not make, or could not sign.
   void check_callback() const {
     const auto& callback = job_.request.callback;
@@ -225,14 +126,14 @@ class Post : public std::enable_shared_from_this<Post> {
                          {{"/callback/secret", unsigned_call}});
   }
 
-  /// Unpacks the body if it is packed; returns false if it has more than `most` bytes then.
-  bool unpack(std::size_t most) {
-    if (!packed_) return true;
-    auto text = gunzip(request_->body, most);
-    if (!text) return false;
-    request_->body = std::move(*text);
-    packed_ = false;
-    return true;
+  std::shared_ptr<Post> this_post() { return std::static_pointer_cast<Post>(shared_from_this()); }
+  bool check(std::string_view document, Progress& progress) override {
+    job_.request = context_.parse(document, &progress);
+    return job_.request.checked;
+  }
+  void done() override {
+    check_callback();
+    insert();
   }
 
   void again() {
@@ -261,11 +162,10 @@ class Post : public std::enable_shared_from_this<Post> {
       job_.max_owned = held->key.max_queued;
       job_.max_planning_ms = held->key.max_planning_ms;
     }
-    context_.store.insert(
-        std::move(job_), [self = shared_from_this()](const Inserted& inserted, std::exception_ptr error) {
-          // This runs on the store's thread: it hands over at once.
-          self->context_.pool.post([self, inserted, error = std::move(error)] { self->answer(inserted, error); });
-        });
+    context_.store.insert(std::move(job_), [self = this_post()](const Inserted& inserted, std::exception_ptr error) {
+      // This runs on the store's thread: it hands over at once.
+      self->context_.pool.post([self, inserted, error = std::move(error)] { self->answer(inserted, error); });
+    });
   }
 
   /// Answers with the job, at once or when it has ended, as the client prefers.
@@ -284,32 +184,17 @@ class Post : public std::enable_shared_from_this<Post> {
     }
   }
 
-  Context& context_;
-  const RequestPtr request_;
-  const Reply reply_;
-  bool packed_;
-  const TimeSource::Time until_;
   NewJob job_;
   std::optional<api::PlanningTime> planning_time_;
-  std::atomic<bool> finish_{false};  ///< the client has left, or others need the connection
 };
 
 }  // namespace
 
 void submit(Context& context, const RequestPtr& request, const Reply& reply) {
-  require_json(*request);
-  if (!is_json(request->header("content-type").value_or("")))
-    throw api::Problem("unsupported-media-type", "Job documents are posted with Content-Type: application/json.");
-  const auto coding = content_coding(request->header("content-encoding").value_or(""));
-  if (!coding) {
-    Response response =
-        problem_answer(api::Problem("unsupported-media-type", "Of content codings only gzip and identity are known."),
-                       request->target);
-    response.set("Accept-Encoding", "gzip, identity");
-    return reply(std::move(response));
-  }
+  const auto packed = packed_document(*request, reply);
+  if (!packed) return;
   if (context.draining) throw api::Problem("draining", "The server is about to stop and takes no new jobs.");
-  std::make_shared<Post>(context, request, reply, *coding == Coding::gzip)->begin();
+  std::make_shared<Post>(context, request, reply, *packed)->begin();
 }
 
 void retry(Context& context, const RequestPtr& request, const Reply& reply) {

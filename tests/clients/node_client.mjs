@@ -142,3 +142,13 @@ test('checks who calls', () => {
   for (const wrong of [signed(now, body, 'r'), signed(now, '{}'), signed(now - 1000), '', undefined, 't=1', 'v1=00'])
     assert.throws(() => calledJob(wrong, body, 's'));
 });
+
+test('a line has two vertices and one block', async () => {
+  assert.equal((await client.check(line)).kind, 'contour');
+  const job = await client.submit(line);
+  await client.wait(job.id);
+  const path = await client.path(job.id, { tolerance: 0.01, box: [-1, -1, 101, 1], columns: ['v', 'block'] });
+  assert.deepEqual(path.values.x, [0, 100]);
+  assert.deepEqual((await all(client.blocks(job.id, { by: 'segment', sort: 'lost' }))).map((block) => block.length), [100]);
+  assert.deepEqual(Object.keys(await client.result(job.id, { parts: ['summary'] })), ['summary']);
+});

@@ -150,6 +150,20 @@ class EventsTest(unittest.TestCase):
         self.assertEqual(found, [("retry", 0.25), ("event", bahnwerk.Event("4", "progress", {"a": 1}))])
 
 
+class PathTest(unittest.TestCase):
+    def test_a_line_has_two_vertices_and_one_block(self):
+        client = Client(url)
+        self.assertEqual(client.check(line)["kind"], "contour")
+        job = client.submit(line)
+        client.wait(job["id"])
+        path = client.path(job["id"], tolerance=0.01, box=(-1, -1, 101, 1), columns=["v", "block"])
+        self.assertEqual(path["values"]["x"], [0, 100])
+        blocks = list(client.blocks(job["id"], by="segment", sort="lost"))
+        self.assertEqual([block["length"] for block in blocks], [100])
+        parts = client.result(job["id"], parts=["summary", "details.slowest"])
+        self.assertEqual((list(parts), list(parts["details"])), (["details", "summary"], ["slowest"]))
+
+
 class RowsTest(unittest.TestCase):
     def test_gives_columns(self):
         client = Client(url)

@@ -20,6 +20,9 @@ using namespace std::chrono_literals;
 /// {"rows":N} plans a ramp of N rows; {"forever":true} reports until it is stopped; {"deadline_in":MS} has a deadline.
 inline Engine stub_engine(const TimeSource& time = system_time()) {
   Engine engine;
+  engine.preview = [](std::string_view, Progress*) {
+    return nlohmann::ordered_json{{"kind", "ramp"}, {"checked", true}};
+  };
   engine.parse = [&time](std::string_view body, Progress*) {
     const json document = json::parse(body, nullptr, false);
     if (document.is_discarded()) throw api::Problem("invalid-json", "not JSON");

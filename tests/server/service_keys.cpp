@@ -45,6 +45,13 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"GET /v1/changes", 200},
                                          {"GET /v1/events", 406},  // the stream has no end: asked for as JSON
                                          {"DELETE /v1/jobs/{id}", 204},
+                                         {"GET /v1/jobs/{id}/blocks", 404},  // a ramp has no blocks
+                                         {"GET /v1/jobs/{id}/path", 404},    // nor a path
+                                         {"POST /v1/check", 200},
+                                         {"GET /v1/examples", 200},
+                                         {"GET /v1/examples/{name}", 200},
+                                         {"GET /v1/machines", 200},
+                                         {"GET /v1/machines/{name}", 200},
                                          {"GET /v1/kinds", 200},
                                          {"GET /openapi.json", 200},
                                          {"GET /v1/schemas/{name}", 200},
@@ -99,14 +106,17 @@ TEST_F(ServiceKeysTest, EveryRouteAsksWhoItIs) {
         if (const auto at = path.find(parameter); at != std::string::npos) path.replace(at, parameter.size(), value);
       };
       fill("{id}", id);
-      fill("{name}", route.pattern.starts_with("/v1/schemas") ? "job" : "plan.svg");
+      fill("{name}", route.pattern.starts_with("/v1/schemas")    ? "job"
+                     : route.pattern.starts_with("/v1/examples") ? "bracket"
+                     : route.pattern.starts_with("/v1/machines") ? "robot"
+                                                                 : "plan.svg");
       fill("{slug}", "not-found");
       Pairs headers;
       if (route.access == Access::page) headers = {{"Accept", "text/html,image/svg+xml"}};
-      if (name == "POST /v1/jobs") headers = {{"Content-Type", "application/json"}};
+      const bool posts = name == "POST /v1/jobs" || name == "POST /v1/check";
+      if (posts) headers = {{"Content-Type", "application/json"}};
       if (name == "GET /v1/events") headers = {{"Accept", "application/json"}};
-      const Response response =
-          ask(route.method, path, caller.key, headers, name == "POST /v1/jobs" ? R"({"rows":1})" : "");
+      const Response response = ask(route.method, path, caller.key, headers, posts ? R"({"rows":1})" : "");
       int status = response.status;
       if (response.body.find("has no drawing") != std::string::npos) status = 204;
       EXPECT_EQ(status, expected(route, caller.who, answers.at(name))) << name << " by " << caller.who << response.body;

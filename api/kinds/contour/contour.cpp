@@ -10,11 +10,14 @@
 #include "api/kind_frame.hpp"
 #include "api/kinds/contour/coarse_fine.hpp"
 #include "api/verification.hpp"
+#include "api/views/segments.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
 #include "core/plan/coarse_fine/axis_drawing.hpp"
 #include "core/plan/contour/contour_faults.hpp"
+#include "core/plan/contour/driven_segments.hpp"
 #include "core/plan/contour_drawing.hpp"
+#include "core/plan/contour_outline.hpp"
 #include "core/plan/path_plan.hpp"
 #include "core/plan/planning_method.hpp"
 
@@ -24,7 +27,9 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::size_t max_joints_listed = 1000;  // a fine polyline passes as many as it has points
+constexpr std::size_t max_outline = 5000;          // vertices
+constexpr std::size_t max_blocks_listed = 10'000;  // GET …/blocks has all
+constexpr std::size_t max_joints_listed = 1000;    // a fine polyline passes as many as it has points
 
 /// Returns text such as "line 1204: 14 % of the time, acceleration y, stops".
 std::string sentence(const SlowLine& line, const char* what) {
@@ -100,11 +105,13 @@ ordered_json what_if(const ContourPlan& plan) {
 
 ordered_json details(const ContourPlan& plan, const Machine& machine, const ContourPlanning& planning, bool program) {
   ordered_json blocks = ordered_json::array(), joints = ordered_json::array();
-  for (const auto& block : plan.blocks)
+  for (const auto& block : plan.blocks) {
+    if (blocks.size() == max_blocks_listed) break;
     blocks.push_back({{"mode", block.mode == Mode::cut ? "cut" : "position"},
                       {"start_time", block.start_time},
                       {"end_time", block.end_time},
                       {"length", block.length}});
+  }
   for (const auto& joint : plan.joints) {
     if (joints.size() == max_joints_listed) break;
     ordered_json step = ordered_json::object();
@@ -117,6 +124,7 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
   ordered_json all = {{"method", name_of<PlanningMethod>(planning.method, planning_methods)},
                       {"law_pieces", plan.pieces},
                       {"notes", plan.notes},
+                      {"blocks_total", plan.blocks.size()},
                       {"blocks", std::move(blocks)},
                       {"joints_passed", plan.joints.size()},
                       {"joints", std::move(joints)},
@@ -260,6 +268,17 @@ void report_fine_axes(const ContourJob& job, const Planned& planned, Progress& p
   out.drawings["machine_study.svg"] = machine_study_drawing(*planned.study, plan.contour.duration);
 }
 
+/// Returns what the motion of the setpoints drives when.
+std::shared_ptr<const SegmentTable> segments(const ContourPlan& plan, const ContourJob& job, const TimeLaw& law,
+                                             Progress& progress) {
+  auto table = std::make_shared<SegmentTable>();
+  table->program = job.program;
+  for (const DrivenSegment& s : driven_segments(*plan.path, job.head, law, progress))
+    table->segments.push_back({static_cast<std::uint32_t>(s.source), static_cast<std::uint32_t>(s.block),
+                               s.mode == Mode::cut, s.rests, s.start, s.time, s.length, s.feed, s.least_time});
+  return table;
+}
+
 struct ContourKind {
   static constexpr std::string_view name = "contour";
   static constexpr std::string_view title = "A tool head along a planar or spatial contour";
@@ -291,6 +310,29 @@ struct ContourKind {
     return facts;
   }
 
+  static ordered_json preview(const ContourJob& job, Progress& progress) {
+    const DurationEstimate time = estimate_duration(job.contour, job.head, job.planning.corner_angle, progress);
+    const Outline shape = outline(job.contour, max_outline, progress);
+    ordered_json vertices = ordered_json::array(), cut = ordered_json::array();
+    for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
+      ordered_json vertex = ordered_json::array();
+      for (std::size_t k = 0; k < job.contour.dimension; ++k) vertex.push_back(shape.vertices[i][k]);
+      vertices.push_back(std::move(vertex));
+      cut.push_back(shape.cut[i] ? 1 : 0);
+    }
+    std::vector<std::string> notes = job.contour.notes;
+    notes.insert(notes.end(), job.unused.begin(), job.unused.end());
+    const double duration = time.cut_time + time.position_time;
+    return {{"notes", std::move(notes)},
+            {"estimate",
+             {{"duration", duration},
+              {"cut_time", time.cut_time},
+              {"position_time", time.position_time},
+              {"path_length", job.contour.path.length()},
+              {"setpoints", static_cast<std::size_t>(duration / job.head.cycle_time) + 1}}},
+            {"outline", {{"vertices", std::move(vertices)}, {"cut", std::move(cut)}, {"tolerance", shape.tolerance}}}};
+  }
+
   static Planned plan(ContourJob& job, Progress& progress) {
     return job.coarse_fine ? plan_with_fine_axes(job, progress)
                            : Planned{plan_cartesian(job, progress), std::nullopt, std::nullopt};
@@ -311,6 +353,7 @@ struct ContourKind {
     out.drawings = drawings(plan, fine ? fine->head->law() : plan.motion->law(),
                             fine ? coarse_way(*fine) : std::vector<Vec>{}, progress);
     if (fine) report_fine_axes(job, planned, progress, out);
+    out.segments = segments(plan, job, fine ? fine->head->law() : plan.motion->law(), progress);
     out.setpoints = std::move(plan.setpoints);
     return out;
   }

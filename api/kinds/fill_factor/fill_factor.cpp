@@ -178,7 +178,7 @@ struct FillFactorKind {
     KindReport out;
     out.summary = summary(plan.layouts[plan.top]);
     out.summary["best_producible"] = best_producible(plan);
-    out.verification = verification(plan.verification);
+    out.verification = verification(plan.verification, "mm");  // places are wires, named by their diameter
     out.bound = bound(plan.bound);
     out.details = details(asked, plan, progress);
     if (asked.drawings) out.drawings = drawings(asked.fill, plan, progress);

@@ -8,6 +8,7 @@
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
+#include "core/plan/contour_outline.hpp"
 #include "core/plan/probe/probe_drawings.hpp"
 
 namespace bahnwerk::api::probe_path {
@@ -23,6 +24,8 @@ ordered_json summary(const ProbePlan& plan) {
           {"mean_speed", plan.figures.path_length / plan.duration},
           {"speed_ripple", plan.figures.speed_ripple}};
 }
+
+constexpr std::size_t max_outline = 5000;  // vertices
 
 struct Asked {
   ProbeRequest probe;
@@ -43,6 +46,22 @@ struct ProbePathKind {
     if (problem.tolerance > 0)
       facts.limits.push_back({"tube", "mm", "deviation", 0, {-problem.tolerance, problem.tolerance}});
     return facts;
+  }
+
+  static ordered_json preview(const Asked& asked, Progress& progress) {
+    const ProbeProblem& problem = asked.probe.problem;
+    double length = 0;
+    for (std::size_t i = 1; i < problem.points.size(); ++i) length += norm(problem.points[i] - problem.points[i - 1]);
+    const Outline shape = outline(problem.points, max_outline, progress);
+    ordered_json vertices = ordered_json::array();
+    for (const Vec& at : shape.vertices) {
+      ordered_json vertex = ordered_json::array();
+      for (std::size_t k = 0; k < problem.dimension(); ++k) vertex.push_back(at[k]);
+      vertices.push_back(std::move(vertex));
+    }
+    return {{"notes", asked.notes},
+            {"estimate", {{"duration", length / problem.speed}, {"path_length", length}}},
+            {"outline", {{"vertices", std::move(vertices)}, {"tolerance", shape.tolerance}}}};
   }
 
   static ProbePlan plan(const Asked& asked, Progress& progress) { return plan_probe(asked.probe, progress); }

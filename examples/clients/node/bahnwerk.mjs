@@ -63,6 +63,13 @@ export class Client {
     return this.#json('/v1/jobs', { method: 'POST', headers, body });
   }
 
+  /** Checks a job document without posting it: {kind, checked, notes, estimate, outline}, or a Problem as a post would
+   *  throw it. */
+  async check(document) {
+    const body = typeof document === 'string' ? document : JSON.stringify(document);
+    return this.#json('/v1/check', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body });
+  }
+
   async job(id) {
     return this.#json(path(id));
   }
@@ -143,8 +150,25 @@ export class Client {
     return textOf(await this.#request(path(id, '/spec')));
   }
 
-  async result(id) {
-    return this.#json(path(id, '/result'));
+  /** The result document, or some members of it: parts: ['summary', 'details.slowest']. */
+  async result(id, { parts } = {}) {
+    return this.#json(path(id, parts ? `/result?${new URLSearchParams({ parts: parts.join(',') })}` : '/result'));
+  }
+
+  /** Blocks, segments or lines of a contour with their times and what they lose, page by page. */
+  async *blocks(id, { by = 'block', sort = 'start' } = {}) {
+    for (let first = 0, total = 1; first < total; ) {
+      const page = await this.#json(path(id, `/blocks?${new URLSearchParams({ by, sort, first, count: 1000 })}`));
+      yield* page.blocks;
+      first += page.blocks.length;
+      total = page.total;
+    }
+  }
+
+  /** The path in few vertices, which are rows: {tolerance, columns, values}. Query: points or tolerance, box: [x0, y0,
+   *  x1, y1], first, count, of, columns. */
+  async path(id, query = {}) {
+    return this.#json(path(id, `/path?${new URLSearchParams(query)}`));
   }
 
   /** Setpoints: an object with one Float64Array per column. Every `every`-th of the `count` rows from `first` on, by

@@ -102,6 +102,13 @@ class Client:
         headers = {"Content-Type": "application/json", "Idempotency-Key": idempotency_key or str(uuid.uuid4())}
         return self._json("POST", "/v1/jobs", headers, body)
 
+    def check(self, document):
+        """Checks a job document without posting it: {kind, checked, notes, estimate, outline}, or a Problem as a post
+        would raise it."""
+        body = document if isinstance(document, (str, bytes)) else json.dumps(document)
+        body = body.encode() if isinstance(body, str) else body
+        return self._json("POST", "/v1/check", {"Content-Type": "application/json"}, body)
+
     def job(self, id):
         return self._json("GET", self._path(id))
 
@@ -183,8 +190,29 @@ class Client:
         """The job document, byte for byte as posted."""
         return self._request("GET", self._path(id, "/spec"))[2]
 
-    def result(self, id):
-        return self._json("GET", self._path(id, "/result"))
+    def result(self, id, parts=None):
+        """The result document, or some members of it: parts=["summary", "details.slowest"]."""
+        query = "?" + urllib.parse.urlencode({"parts": ",".join(parts)}) if parts else ""
+        return self._json("GET", self._path(id, "/result" + query))
+
+    def blocks(self, id, by="block", sort="start"):
+        """Blocks, segments or lines of a contour with their times and what they lose, page by page."""
+        first = 0
+        while True:
+            query = urllib.parse.urlencode({"by": by, "sort": sort, "first": first, "count": 1000})
+            page = self._json("GET", self._path(id, "/blocks?" + query))
+            yield from page["blocks"]
+            first += len(page["blocks"])
+            if first >= page["total"]:
+                return
+
+    def path(self, id, **query):
+        """The path in few vertices, which are rows: {tolerance, columns, values}. Query: points or tolerance, box
+        (x0, y0, x1, y1), first, count, of, columns."""
+        for name in ("box", "columns"):
+            if name in query:
+                query[name] = ",".join(map(str, query[name]))
+        return self._json("GET", self._path(id, "/path?" + urllib.parse.urlencode(query)))
 
     def rows(self, id, columns=None, first=0, count=None, every=1):
         """Setpoints, column by column: lists of floats, or numpy arrays where numpy is installed. Every `every`-th of

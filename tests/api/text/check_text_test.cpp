@@ -27,6 +27,23 @@ TEST(CheckText, FeedsAreTheirLimits) {
   EXPECT_EQ(name({CheckedQuantity::feed, 1}, 0.125), "path velocity (feed 0.125)");
 }
 
+TEST(CheckText, GroupsAreLimitsGeometryContinuitySetpointsAndBound) {
+  using enum CheckedQuantity;
+  EXPECT_STREQ(check_group({axis, 2, "mm", "x"}), "limit");
+  EXPECT_STREQ(check_group({deviation}), "geometry");
+  EXPECT_STREQ(check_group({wire_overlap}), "geometry");
+  EXPECT_STREQ(check_group({corner_rest, 1}), "continuity");
+  EXPECT_STREQ(check_group({rows, 1}), "setpoints");
+  EXPECT_STREQ(check_group({axis_differences, 2}), "setpoints");
+  EXPECT_STREQ(check_group({bound, 0, "s"}), "bound");
+  const auto named_group = [](const char* name) { return std::string(check_group({named, 0, "1", name})); };
+  EXPECT_EQ(named_group("continuity jerk"), "continuity");
+  EXPECT_EQ(named_group("table v"), "setpoints");
+  EXPECT_EQ(named_group("section limit velocity"), "limit");
+  EXPECT_EQ(named_group("cam undercut"), "geometry");
+  EXPECT_EQ(named_group("objective"), "bound");
+}
+
 TEST(CheckText, UnitsFollowTheOrder) {
   const CheckedQuantity axis = CheckedQuantity::axis;
   EXPECT_EQ(check_unit({axis, 0, "rad"}), "rad");

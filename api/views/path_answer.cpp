@@ -1,0 +1,219 @@
+#include "api/views/path_answer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "api/problem.hpp"
+#include "api/setpoints/setpoints.hpp"
+#include "api/views/bytes.hpp"
+#include "core/geometry/curve/chord_fan.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+constexpr std::array axes{"x", "y", "z"};
+constexpr std::array<std::string_view, 6> column_names{"v", "limit", "mode", "block", "line", "use"};
+constexpr std::size_t default_points = 2000;
+constexpr std::size_t candidates = 16;  // vertices that are read for each one that is asked for
+
+[[noreturn]] void refuse_path(const std::string& name, const std::string& message) {
+  throw Problem("schema-violation", "/query/" + name + ": " + message, {{"/query/" + name, message}});
+}
+
+template <class T>
+T number(const std::string& name, std::string_view text, const char* what) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  bool good = error == std::errc() && end == text.data() + text.size();
+  if constexpr (std::is_floating_point_v<T>) good = good && std::isfinite(value);
+  if (!good) refuse_path(name, what);
+  return value;
+}
+
+std::vector<std::string_view> list_of(std::string_view text) {
+  std::vector<std::string_view> list;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    list.push_back(text.substr(0, comma));
+    if (comma == text.npos) return list;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+PathBox box_of(const std::string& text) {
+  const auto parts = list_of(text);
+  constexpr const char* form = "must be x0,y0,x1,y1 in mm, the lower corner first";
+  if (parts.size() != 4) refuse_path("box", form);
+  std::array<double, 4> v{};
+  for (std::size_t i = 0; i < 4; ++i) v[i] = number<double>("box", parts[i], form);
+  if (!(v[0] <= v[2] && v[1] <= v[3])) refuse_path("box", form);
+  return {v[0], v[1], v[2], v[3]};
+}
+
+std::vector<std::string> columns_of(const std::string& text) {
+  std::vector<std::string> list;
+  for (const std::string_view name : list_of(text)) {
+    if (std::find(column_names.begin(), column_names.end(), name) == column_names.end())
+      refuse_path("columns", "must be a list of v, limit, mode, block, line, use");
+    list.emplace_back(name);
+  }
+  return list;
+}
+
+Vec at(const PathVertex& vertex) { return {vertex.at[0], vertex.at[1], vertex.at[2]}; }
+
+std::size_t size_of(const std::vector<StoredPath::Run>& runs) {
+  std::size_t count = 0;
+  for (const auto& run : runs) count += run.size();
+  return count;
+}
+
+StoredPath::Run thinned_run(const StoredPath::Run& run, double tolerance, bool planar) {
+  StoredPath::Run out{run.front()};
+  ChordFan fan(tolerance, planar);
+  fan.begin(at(run.front()));
+  for (std::size_t i = 1; i < run.size(); ++i) {
+    if (fan.take(at(run[i]))) continue;
+    out.push_back(run[i - 1]);
+    fan.begin(at(run[i - 1]));
+    fan.take(at(run[i]));
+  }
+  if (run.size() > 1) out.push_back(run.back());
+  return out;
+}
+
+std::vector<StoredPath::Run> thinned_runs(const std::vector<StoredPath::Run>& runs, double tolerance, bool planar) {
+  std::vector<StoredPath::Run> out;
+  for (const auto& run : runs) out.push_back(thinned_run(run, tolerance, planar));
+  return out;
+}
+
+/// Returns the largest error of a coordinate in single precision, as a distance.
+double rounding(const std::vector<StoredPath::Run>& runs) {
+  float largest = 0;
+  for (const auto& run : runs)
+    for (const PathVertex& v : run)
+      for (const float c : v.at) largest = std::max(largest, std::abs(c));
+  return largest * 0x1p-24 * std::sqrt(3.0);
+}
+
+/// Calls visit(vertex, begin) for every vertex.
+template <class Visit>
+void for_each_vertex(const ChosenPath& path, const Visit& visit) {
+  for (const auto& run : path.runs)
+    for (std::size_t i = 0; i < run.size(); ++i) visit(run[i], i == 0);
+}
+
+}  // namespace
+
+PathQuery parse_path_query(const std::vector<std::pair<std::string, std::string>>& query) {
+  PathQuery out;
+  constexpr const char* whole = "must be a whole number";
+  for (const auto& [name, value] : query) {
+    if (name == "points") out.points = number<std::size_t>(name, value, whole);
+    if (name == "tolerance") out.tolerance = number<double>(name, value, "must be a number, mm");
+    if (name == "box") out.box = box_of(value);
+    if (name == "first") out.first = number<std::size_t>(name, value, whole);
+    if (name == "count") out.count = number<std::size_t>(name, value, whole);
+    if (name == "of") out.of = value;
+    if (name == "columns") out.columns = columns_of(value);
+    if (name == "format") out.binary = value == "f32";
+    if (name == "format" && value != "f32" && value != "json") refuse_path(name, "must be json or f32");
+  }
+  if (out.of != "tool" && out.of != "coarse" && out.of != "part") refuse_path("of", "must be tool, coarse or part");
+  if (out.points && out.tolerance) refuse_path("tolerance", "excludes points");
+  if (out.points && (*out.points < 2 || *out.points > PathQuery::most_points))
+    refuse_path("points", "must be between 2 and 200000");
+  if (out.tolerance && *out.tolerance < path_tolerances.front())
+    refuse_path("tolerance", "must be at least 0.001 mm; rows between are those of /setpoints");
+  if (out.count == std::size_t{0}) refuse_path("count", "must be at least 1");
+  if (!out.points && !out.tolerance) out.points = default_points;
+  return out;
+}
+
+ChosenPath choose_path(const StoredPath& path, const PathQuery& query, std::size_t rows) {
+  if (query.first >= rows) refuse_path("first", "is beyond the last row");
+  const std::size_t first = query.first, end = query.count ? first + std::min(*query.count, rows - first) : rows;
+  const bool planar = path.dimension() == 2;
+  std::size_t level = path_tolerances.size() - 1;
+  const auto fits = [&](std::size_t l) {
+    return query.points ? path.at_most(l, first, end, query.box) <= candidates * *query.points
+                        : path_tolerances[l] <= *query.tolerance;
+  };
+  if (query.points) {
+    for (level = 0; level + 1 < path_tolerances.size() && !fits(level);) ++level;
+  } else {
+    while (level > 0 && !fits(level)) --level;
+  }
+  ChosenPath chosen;
+  chosen.tolerance = path_tolerances[level];
+  const std::vector<StoredPath::Run> runs = path.read(level, first, end, query.box);
+  chosen.runs = runs;
+  if (query.tolerance && *query.tolerance > chosen.tolerance) {
+    chosen.runs = thinned_runs(runs, *query.tolerance - chosen.tolerance, planar);
+    chosen.tolerance = *query.tolerance;
+  }
+  // A run keeps its ends: where there are many runs, more vertices stay than were asked for.
+  const std::size_t least = query.points ? std::max(*query.points, 2 * runs.size()) : size_of(runs);
+  for (double more = chosen.tolerance / 4; size_of(chosen.runs) > least; more *= 1.2) {
+    chosen.runs = thinned_runs(runs, more, planar);
+    chosen.tolerance = path_tolerances[level] + more;
+  }
+  chosen.tolerance += rounding(chosen.runs);
+  return chosen;
+}
+
+std::string path_column_names(std::size_t dimension, const std::vector<PathColumn>& columns) {
+  std::string names = "row,begin";
+  for (std::size_t k = 0; k < dimension; ++k) names += std::string(",") + axes.at(k);
+  for (const PathColumn& column : columns) names += "," + column.name;
+  return names;
+}
+
+std::string path_json(const ChosenPath& path, const PathQuery& query, std::size_t dimension,
+                      const std::vector<PathColumn>& columns) {
+  std::string out = "{\"of\":\"" + query.of + "\",\"tolerance\":";
+  append_number(out, path.tolerance);
+  out += ",\"count\":" + std::to_string(size_of(path.runs)) + ",\"columns\":[";
+  std::string values;
+  const auto column = [&](const std::string& name, const std::string& unit, const auto& value) {
+    const char* const comma = values.empty() ? "" : ",";
+    out += comma + ("{\"name\":\"" + name + "\",\"unit\":\"" + unit + "\"}");
+    values += comma + ("\"" + name + "\":[");
+    bool following = false;
+    for_each_vertex(path, [&](const PathVertex& vertex, bool begin) {
+      if (following) values += ',';
+      following = true;
+      value(vertex, begin);
+    });
+    values += ']';
+  };
+  const auto append_float = [&](float value) {
+    std::array<char, 32> text;
+    values.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+  };
+  column("row", "1", [&](const PathVertex& v, bool) { values += std::to_string(v.row); });
+  column("begin", "1", [&](const PathVertex&, bool begin) { values += begin ? '1' : '0'; });
+  for (std::size_t k = 0; k < dimension; ++k)
+    column(axes.at(k), "mm", [&](const PathVertex& v, bool) { append_float(v.at[k]); });
+  for (const PathColumn& each : columns)
+    column(each.name, each.unit, [&](const PathVertex& v, bool) { append_float(static_cast<float>(each.value(v))); });
+  return out + "],\"values\":{" + values + "}}";
+}
+
+std::string path_f32(const ChosenPath& path, std::size_t dimension, const std::vector<PathColumn>& columns) {
+  std::string out;
+  out.reserve(size_of(path.runs) * 4 * (2 + dimension + columns.size()));
+  for_each_vertex(path, [&](const PathVertex& vertex, bool begin) {
+    put(out, vertex.row);
+    put(out, begin ? 1.0F : 0.0F);
+    for (std::size_t k = 0; k < dimension; ++k) put(out, vertex.at[k]);
+    for (const PathColumn& column : columns) put(out, static_cast<float>(column.value(vertex)));
+  });
+  return out;
+}
+
+}  // namespace bahnwerk::api
