@@ -91,6 +91,59 @@ std::vector<StoredPath::Run> thinned_runs(const std::vector<StoredPath::Run>& ru
   return out;
 }
 
+/// Returns the part of [first, end) that a run spans.
+std::pair<std::size_t, std::size_t> span_of(const StoredPath::Run& run, std::size_t first, std::size_t end) {
+  return {std::max<std::size_t>(run.front().row, first), std::min<std::size_t>(run.back().row + 1, end)};
+}
+
+std::size_t rows_of(const std::vector<StoredPath::Run>& runs, std::size_t first, std::size_t end) {
+  std::size_t count = 0;
+  for (const auto& run : runs) {
+    const auto [from, to] = span_of(run, first, end);
+    count += to > from ? to - from : 0;
+  }
+  return count;
+}
+
+/// Returns the rows of the runs, thinned within a tolerance.
+std::vector<StoredPath::Run> from_rows(const std::vector<StoredPath::Run>& runs, const PathRows& rows,
+                                       std::size_t first, std::size_t end, double tolerance, bool planar) {
+  constexpr std::size_t most_vertices = 2'000'000, rows_at_once = 4096;
+  std::vector<StoredPath::Run> out;
+  std::vector<double> values;
+  std::size_t count = 0;
+  for (const auto& run : runs) {
+    const auto [from, to] = span_of(run, first, end);
+    if (to <= from) continue;
+    StoredPath::Run& line = out.emplace_back();
+    ChordFan fan(tolerance, planar);
+    PathVertex last;
+    Vec last_at, at;
+    for (std::size_t k = from; k < to; k += rows_at_once) {
+      const std::size_t part = std::min(rows_at_once, to - k);
+      rows.read(k, part, values);
+      for (std::size_t i = 0; i < part; ++i) {
+        const PathVertex vertex = rows.vertex(k + i, values.data() + i * rows.width, at);
+        if (line.empty()) {
+          line.push_back(vertex);
+          fan.begin(at);
+        } else if (!fan.take(at)) {
+          line.push_back(last);
+          fan.begin(last_at);
+          fan.take(at);
+        }
+        last = vertex;
+        last_at = at;
+      }
+      if (count + line.size() > most_vertices)
+        refuse_path("tolerance", "needs more than 2000000 vertices: widen it, or narrow the box or the rows");
+    }
+    if (line.back().row != last.row) line.push_back(last);
+    count += line.size();
+  }
+  return out;
+}
+
 /// Returns the largest error of a coordinate in single precision, as a distance.
 double rounding(const std::vector<StoredPath::Run>& runs) {
   float largest = 0;
@@ -127,40 +180,43 @@ PathQuery parse_path_query(const std::vector<std::pair<std::string, std::string>
   if (out.points && out.tolerance) refuse_path("tolerance", "excludes points");
   if (out.points && (*out.points < 2 || *out.points > PathQuery::most_points))
     refuse_path("points", "must be between 2 and 200000");
-  if (out.tolerance && *out.tolerance < path_tolerances.front())
-    refuse_path("tolerance", "must be at least 0.001 mm; rows between are those of /setpoints");
+  if (out.tolerance && *out.tolerance < 0) refuse_path("tolerance", "must not be negative");
   if (out.count == std::size_t{0}) refuse_path("count", "must be at least 1");
   if (!out.points && !out.tolerance) out.points = default_points;
   return out;
 }
 
-ChosenPath choose_path(const StoredPath& path, const PathQuery& query, std::size_t rows) {
-  if (query.first >= rows) refuse_path("first", "is beyond the last row");
-  const std::size_t first = query.first, end = query.count ? first + std::min(*query.count, rows - first) : rows;
+ChosenPath choose_path(const StoredPath& path, const PathQuery& query, const PathRows& rows) {
+  if (query.first >= rows.count) refuse_path("first", "is beyond the last row");
+  const std::size_t first = query.first,
+                    end = query.count ? first + std::min(*query.count, rows.count - first) : rows.count;
   const bool planar = path.dimension() == 2;
   std::size_t level = path_tolerances.size() - 1;
-  const auto fits = [&](std::size_t l) {
-    return query.points ? path.at_most(l, first, end, query.box) <= candidates * *query.points
-                        : path_tolerances[l] <= *query.tolerance;
-  };
-  if (query.points) {
-    for (level = 0; level + 1 < path_tolerances.size() && !fits(level);) ++level;
-  } else {
-    while (level > 0 && !fits(level)) --level;
-  }
+  if (query.points)
+    for (level = 0;
+         level + 1 < path_tolerances.size() && path.at_most(level, first, end, query.box) > candidates * *query.points;)
+      ++level;
+  else
+    while (level > 0 && path_tolerances[level] > *query.tolerance) --level;
   ChosenPath chosen;
-  chosen.tolerance = path_tolerances[level];
-  const std::vector<StoredPath::Run> runs = path.read(level, first, end, query.box);
+  std::vector<StoredPath::Run> runs = path.read(level, first, end, query.box);
+  double stored = path_tolerances[level];
+  if (level == 0 &&
+      (query.points ? rows_of(runs, first, end) <= candidates * *query.points : stored > *query.tolerance)) {
+    stored = query.tolerance.value_or(0);
+    runs = from_rows(runs, rows, first, end, stored, planar);
+  }
   chosen.runs = runs;
-  if (query.tolerance && *query.tolerance > chosen.tolerance) {
-    chosen.runs = thinned_runs(runs, *query.tolerance - chosen.tolerance, planar);
+  chosen.tolerance = stored;
+  if (query.tolerance && *query.tolerance > stored) {
+    chosen.runs = thinned_runs(runs, *query.tolerance - stored, planar);
     chosen.tolerance = *query.tolerance;
   }
   // A run keeps its ends: where there are many runs, more vertices stay than were asked for.
-  const std::size_t least = query.points ? std::max(*query.points, 2 * runs.size()) : size_of(runs);
-  for (double more = chosen.tolerance / 4; size_of(chosen.runs) > least; more *= 1.2) {
+  const std::size_t most = query.points ? std::max(*query.points, 2 * runs.size()) : size_of(runs);
+  for (double more = std::max(stored / 4, 1e-4); size_of(chosen.runs) > most; more *= 1.2) {
     chosen.runs = thinned_runs(runs, more, planar);
-    chosen.tolerance = path_tolerances[level] + more;
+    chosen.tolerance = stored + more;
   }
   chosen.tolerance += rounding(chosen.runs);
   return chosen;

@@ -32,10 +32,17 @@ struct ChosenPath {
   /// precision
   double tolerance = 0;
 };
+/// The rows of the series, for what is finer than the finest level.
+struct PathRows {
+  std::size_t count = 0, width = 0;
+  RowVertices vertex;
+  std::function<void(std::size_t first, std::size_t rows, std::vector<double>& out)> read;
+};
 /// Returns vertices from the coarsest level within the tolerance, or from the finest one that is not much larger than
-/// the number asked for; these are thinned further where that is permitted. Reads the chunks of one level in the box.
-/// Throws Problem schema-violation for a tolerance below that of the finest level.
-ChosenPath choose_path(const StoredPath& path, const PathQuery& query, std::size_t rows);
+/// the number asked for, or from the rows in the box; these are thinned further where that is permitted. Reads the
+/// chunks of one level in the box. Throws Problem schema-violation for a tolerance that more than 2 000 000 vertices
+/// would be needed for.
+ChosenPath choose_path(const StoredPath& path, const PathQuery& query, const PathRows& rows);
 
 /// Values of a column beside the coordinates.
 struct PathColumn {

@@ -143,39 +143,29 @@ class Thinning {
 class PathView final : public View {
  public:
   PathView(const ViewInput& input, const std::vector<PathColumns>& paths, const ViewSink& sink)
-      : paths_(paths),
-        width_(input.columns.size()),
-        speed_(column_index(input.columns, "v")),
-        block_(column_index(input.columns, "block")),
-        mode_(column_index(input.columns, "mode")) {
-    for (const PathColumns& path : paths_) thinnings_.push_back(std::make_unique<Thinning>(path, sink));
+      : width_(input.columns.size()) {
+    for (const PathColumns& path : paths)
+      paths_.push_back({RowVertices(input.columns, path), std::make_unique<Thinning>(path, sink)});
   }
   void add(std::size_t first, std::size_t rows, const double* values) override {
-    for (std::size_t i = 0; i < rows; ++i) {
-      const double* const row = values + i * width_;
-      PathVertex vertex;
-      vertex.row = static_cast<std::uint32_t>(first + i);
-      if (speed_ < width_) vertex.v = static_cast<float>(row[speed_]);
-      if (block_ < width_) vertex.block = static_cast<std::uint32_t>(row[block_]);
-      if (mode_ < width_) vertex.cut = row[mode_] != 0;
-      for (std::size_t p = 0; p < paths_.size(); ++p) {
-        Vec at;
-        for (std::size_t k = 0; k < paths_[p].columns.size(); ++k) {
-          at[k] = row[paths_[p].columns[k]];
-          vertex.at[k] = static_cast<float>(at[k]);
-        }
-        thinnings_[p]->add(vertex, at);
+    Vec at;
+    for (const Path& path : paths_)
+      for (std::size_t i = 0; i < rows; ++i) {
+        const PathVertex vertex = path.vertex(first + i, values + i * width_, at);
+        path.thinning->add(vertex, at);
       }
-    }
   }
   void finish() override {
-    for (const auto& thinning : thinnings_) thinning->finish();
+    for (const Path& path : paths_) path.thinning->finish();
   }
 
  private:
-  std::vector<PathColumns> paths_;
-  std::size_t width_, speed_, block_, mode_;
-  std::vector<std::unique_ptr<Thinning>> thinnings_;
+  struct Path {
+    RowVertices vertex;
+    std::unique_ptr<Thinning> thinning;
+  };
+  std::size_t width_;
+  std::vector<Path> paths_;
 };
 
 /// Returns whether the chord from a to b touches the box in the plane [Liang & Barsky 1984].
@@ -218,6 +208,26 @@ std::vector<PathColumns> path_columns(const std::vector<Column>& columns) {
     if (path.columns.size() >= 2) list.push_back(std::move(path));
   }
   return list;
+}
+
+RowVertices::RowVertices(const std::vector<Column>& columns, PathColumns path)
+    : path_(std::move(path)),
+      width_(columns.size()),
+      speed_(column_index(columns, "v")),
+      block_(column_index(columns, "block")),
+      mode_(column_index(columns, "mode")) {}
+
+PathVertex RowVertices::operator()(std::size_t row, const double* values, Vec& at) const {
+  PathVertex vertex;
+  vertex.row = static_cast<std::uint32_t>(row);
+  for (std::size_t k = 0; k < path_.columns.size(); ++k) {
+    at[k] = values[path_.columns[k]];
+    vertex.at[k] = static_cast<float>(at[k]);
+  }
+  if (speed_ < width_) vertex.v = static_cast<float>(values[speed_]);
+  if (block_ < width_) vertex.block = static_cast<std::uint32_t>(values[block_]);
+  if (mode_ < width_) vertex.cut = values[mode_] != 0;
+  return vertex;
 }
 
 std::unique_ptr<View> path_view(const ViewInput& input, const ViewSink& sink) {

@@ -14,8 +14,9 @@
 
 namespace bahnwerk::api {
 
-/// Tolerances of the levels, mm. Every row between two neighbouring vertices lies within it of their chord.
-inline constexpr std::array<double, 5> path_tolerances{0.001, 0.008, 0.064, 0.512, 4.096};
+/// Tolerances of the levels, mm; what is finer is read from the rows. Every row between two neighbouring vertices lies
+/// within it of their chord.
+inline constexpr std::array<double, 5> path_tolerances{0.05, 0.25, 1.25, 6.25, 31.25};
 
 /// A row that is a vertex. Coordinates and speed have single precision.
 struct PathVertex {
@@ -33,6 +34,18 @@ struct PathColumns {
 };
 /// Returns the paths that a series has.
 std::vector<PathColumns> path_columns(const std::vector<Column>& columns);
+
+/// Makes vertices of the rows of a series.
+class RowVertices {
+ public:
+  RowVertices(const std::vector<Column>& columns, PathColumns path);
+  /// Returns the row as a vertex, and its place in double precision in `at`.
+  PathVertex operator()(std::size_t row, const double* values, Vec& at) const;
+
+ private:
+  PathColumns path_;
+  std::size_t width_, speed_, block_, mode_;
+};
 
 /// Makes the view; nullptr if the series has no path.
 std::unique_ptr<View> path_view(const ViewInput& input, const ViewSink& sink);

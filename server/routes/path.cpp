@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 #include "api/problem.hpp"
 #include "api/text/json_member.hpp"
@@ -97,6 +98,13 @@ Response blocks(Context& context, const Request& request) {
   });
 }
 
+api::PathRows rows_of(const StoredViews& views, std::string_view path) {
+  const std::vector<Column>& columns = views.series.columns;
+  for (const api::PathColumns& each : api::path_columns(columns))
+    if (each.name == path) return {views.series.count, columns.size(), api::RowVertices(columns, each), views.rows};
+  throw std::logic_error("a stored path without columns");
+}
+
 bool binary(const Request& request, const api::PathQuery& query) {
   static constexpr std::array<std::string_view, 2> offers{"application/json", "application/octet-stream"};
   if (query.binary) return *query.binary;
@@ -143,7 +151,7 @@ Response path(Context& context, const Request& request) {
     const api::StoredPath stored(views.read, part ? "tool" : query.of);
     if (!stored.exists() || (part && !views.series.pose_frame))
       throw api::Problem("not-found", "The job " + api::shortened(id) + " has no path of " + query.of + ".");
-    const api::ChosenPath chosen = api::choose_path(stored, query, views.series.count);
+    const api::ChosenPath chosen = api::choose_path(stored, query, rows_of(views, part ? "tool" : query.of));
     const std::vector<api::PathColumn> columns = columns_of(query, views, id);
     Response answer =
         bytes ? text_answer(200, "application/octet-stream", api::path_f32(chosen, stored.dimension(), columns))

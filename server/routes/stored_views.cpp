@@ -36,7 +36,7 @@ class Rows {
 
  private:
   Store& store_;
-  const SeriesInfo& series_;
+  const SeriesInfo series_;
   std::size_t begin_ = 0;
   std::vector<double> chunk_;
 };
@@ -76,9 +76,11 @@ StoredViews stored_views(Context& context, const std::string& id) {
     series = context.store.series(id);
     if (!series) throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");
   }
-  return {*series, [&store = context.store, info = *series](std::string_view name, std::size_t part) {
+  return {*series,
+          [&store = context.store, info = *series](std::string_view name, std::size_t part) {
             return store.read_view(info, name, part);
-          }};
+          },
+          Rows(context.store, *series)};
 }
 
 }  // namespace bahnwerk::server

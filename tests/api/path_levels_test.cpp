@@ -57,6 +57,15 @@ Parts stored(const Series& series) {
   return parts;
 }
 
+PathRows rows_of(const Series& series) {
+  const std::size_t width = series.columns.size();
+  return {series.count, width, RowVertices(series.columns, path_columns(series.columns).at(0)),
+          [&series, width](std::size_t first, std::size_t rows, std::vector<double>& out) {
+            const auto begin = series.values.begin() + static_cast<std::ptrdiff_t>(first * width);
+            out.assign(begin, begin + static_cast<std::ptrdiff_t>(rows * width));
+          }};
+}
+
 ViewReader reader(const Parts& parts) {
   return [&parts](std::string_view name, std::size_t part) -> std::optional<std::string> {
     const auto at = parts.find({std::string(name), part});
@@ -115,8 +124,8 @@ TEST(PathLevels, RowsAreWithinTheToleranceAtRandomZooms) {
         if (random() % 2)
           query.points = 2 + random() % 300;
         else
-          query.tolerance = std::pow(10.0, static_cast<double>(random() % 40) / 10 - 3);
-        const ChosenPath chosen = choose_path(path, query, count);
+          query.tolerance = std::pow(10.0, static_cast<double>(random() % 50) / 10 - 4);
+        const ChosenPath chosen = choose_path(path, query, rows_of(series));
         expect_held(series, chosen, query.first, query.first + *query.count, query.box);
         std::size_t vertices = 0;
         for (const auto& run : chosen.runs) vertices += run.size();
@@ -143,7 +152,7 @@ TEST(PathAnswer, QueriesAreReadAndRefusedAtTheirPlace) {
   EXPECT_TRUE(parse_path_query({}).points);
   for (const auto& [name, value] : std::vector<std::pair<std::string, std::string>>{{"points", "1"},
                                                                                     {"points", "-3"},
-                                                                                    {"tolerance", "0"},
+                                                                                    {"tolerance", "-1"},
                                                                                     {"tolerance", "inf"},
                                                                                     {"box", "1,2,3"},
                                                                                     {"box", "3,0,1,1"},
@@ -166,7 +175,7 @@ TEST(PathAnswer, BothFormsHaveTheSameNumbers) {
   const Parts parts = stored(series);
   PathQuery query;
   query.points = 40;
-  const ChosenPath chosen = choose_path(StoredPath(reader(parts), "tool"), query, series.count);
+  const ChosenPath chosen = choose_path(StoredPath(reader(parts), "tool"), query, rows_of(series));
   const std::vector<PathColumn> columns{{"v", "mm/s", [](const PathVertex& v) { return v.v; }}};
   EXPECT_EQ(path_column_names(2, columns), "row,begin,x,y,v");
   const std::string json = path_json(chosen, query, 2, columns), bytes = path_f32(chosen, 2, columns);

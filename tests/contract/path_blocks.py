@@ -74,7 +74,7 @@ def check_paths(id, columns, table, count):
             query = "of=%s&first=%d&count=%d" % (of, span[0], span[1] - span[0])
             if area:
                 query += "&box=%r,%r,%r,%r" % area
-            query += random.choice(["&points=%d" % random.randrange(2, 500), "&tolerance=%r" % 10 ** random.uniform(-3, 1)])
+            query += random.choice(["&points=%d" % random.randrange(2, 500), "&tolerance=%r" % 10 ** random.uniform(-4, 1)])
             check_path(id, rows, axes, query, area, span)
 
 

@@ -40,7 +40,7 @@ request GET "/v1/jobs/$id/path?points=100&columns=v,mode,block,line" -H 'Accept:
 expect_status 304
 request GET "/v1/jobs/$id/path?points=100" -H "If-None-Match: $known"
 expect_status 200
-for query in 'points=1' 'points=x' 'tolerance=0' 'tolerance=nan' 'points=5&tolerance=1' 'box=1,2,3' 'box=2,0,1,1' 'of=moon' 'columns=q' 'first=99999999' 'count=0' 'nothing=1'; do
+for query in 'points=1' 'points=x' 'tolerance=-1' 'tolerance=nan' 'points=5&tolerance=1' 'box=1,2,3' 'box=2,0,1,1' 'of=moon' 'columns=q' 'first=99999999' 'count=0' 'nothing=1'; do
   request GET "/v1/jobs/$id/path?$query"
   expect_problem schema-violation 422
 done
