@@ -159,9 +159,8 @@ std::optional<JobState> job_state(std::string_view text) {
 
 JobRequest parse_job(std::string_view body, Progress* progress) {
   std::optional<PlanningTime> time;
-  JobRequest request = checked_job(body, progress, [&](const Kind& kind, const json& spec, Progress& asked) {
-    time = kind.check(spec, asked);
-  });
+  JobRequest request = checked_job(
+      body, progress, [&](const Kind& kind, const json& spec, Progress& asked) { time = kind.check(spec, asked); });
   request.planning_time = std::move(time);
   return request;
 }

@@ -12,9 +12,9 @@
 ///   ordered_json preview(const Request&, Progress&)   any of the members `notes`, `estimate`, `outline`
 ///
 /// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
-/// document is submitted; if the kind knows how long its plans take, expected_time(const Request&); if it has setpoints,
-/// view_facts(const Request&), which returns the ViewFacts of a series; and if it makes files of a result, `ResultFiles
-/// files`. The file api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
+/// document is submitted; if the kind knows how long its plans take, expected_time(const Request&); if it has
+/// setpoints, view_facts(const Request&), which returns the ViewFacts of a series; and if it makes files of a result,
+/// `ResultFiles files`. The file api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
 /// }`, and api/kinds.cpp lists it.
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,6 @@
 #include "api/views/limits_answer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -15,10 +14,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array<const char*, row_states> state_names{"ahead", "stop", "dwell"};
-
-[[noreturn]] void refuse(const std::string& parameter, std::string message) {
-  throw Problem("schema-violation", message, {{pointer("/query", {parameter}), std::move(message)}});
+[[noreturn]] void refuse(const std::string& parameter, const std::string& message) {
+  throw Problem("schema-violation", message, {{pointer("/query", {parameter}), message}});
 }
 
 std::uint64_t sum(const LimitsReader::Counts& counts) {
@@ -75,7 +72,7 @@ ordered_json limits_answer(LimitsReader& limits, std::size_t count, double cycle
   for (std::size_t id = 0; id < limits.numbers(); ++id) {
     ordered_json each{{"id", id}};
     if (id < row_states) {
-      each.update({{"name", state_names[id]}, {"unit", nullptr}, {"value", nullptr}, {"column", nullptr}});
+      each.update({{"name", limits.name(id)}, {"unit", nullptr}, {"value", nullptr}, {"column", nullptr}});
     } else {
       const DeclaredLimit& limit = limits.list()[id - row_states];
       const std::string& column = limits.column(id - row_states);

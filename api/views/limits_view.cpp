@@ -1,6 +1,7 @@
 #include "api/views/limits_view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -288,6 +289,11 @@ std::vector<LimitChange> LimitsReader::changes(std::size_t declared, std::size_t
         found.push_back(change);
     }
   return found;
+}
+
+std::string LimitsReader::name(std::size_t number) const {
+  static constexpr std::array<const char*, row_states> states{"ahead", "stop", "dwell"};
+  return number < row_states ? states[number] : list_[number - row_states].name;
 }
 
 std::size_t most_frequent(const LimitsReader::Counts& counts) {

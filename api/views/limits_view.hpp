@@ -33,6 +33,8 @@ class LimitsReader {
   const DeclaredLimits& list() const { return list_; }
   const std::string& column(std::size_t declared) const { return columns_[declared]; }
   std::size_t numbers() const { return row_states + list_.size(); }
+  /// Returns the name of a number: ahead, stop, dwell, or that of a declared limit.
+  std::string name(std::size_t number) const;
   /// Returns how many of rows [from, to) belong to each number.
   Counts count(std::size_t from, std::size_t to);
   /// Returns the changes of a limit in rows [from, to), beginning with what is permitted at `from`; at most `most`.

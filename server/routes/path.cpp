@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "api/problem.hpp"
+#include "api/setpoints/setpoint_rows.hpp"
 #include "api/text/json_member.hpp"
 #include "api/text/pointer.hpp"
 #include "api/views/block_list.hpp"
@@ -18,7 +19,7 @@
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"
-#include "server/routes/stored_views.hpp"
+#include "server/routes/stored_series.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -72,12 +73,36 @@ class ProgramLines {
   bool after_return_ = false;
 };
 
-api::SegmentTable segments_of(const StoredViews& views, const std::string& id) {
-  auto table = api::read_segments(views.read);
+api::SegmentTable segments_of(const api::SetpointSeries& series, const std::string& id) {
+  auto table = api::read_segments(series.view);
   if (!table)
     throw api::Problem("not-found", "The job " + api::shortened(id) +
                                         " has no blocks: contours have them, since the version that stores them.");
   return std::move(*table);
+}
+
+using Intervals = std::vector<std::pair<double, double>>;
+
+/// Returns the limit to which most cycles that begin in the intervals belong; of an interval without one, the cycle in
+/// which it lies.
+api::MainLimit main_limit(api::LimitsReader& limits, const api::SetpointSeries& series, const Intervals& intervals) {
+  api::LimitsReader::Counts sum(limits.numbers());
+  std::uint64_t all = 0;
+  const auto cycle = [&](double time, double rounding) {
+    return std::min(static_cast<std::size_t>(std::max(0.0, time / series.cycle_time + rounding)), series.count - 1);
+  };
+  for (const auto& [begin, end] : intervals) {
+    std::size_t from = cycle(begin, 1 - 1e-6), to = cycle(end, 1 - 1e-6);
+    if (from >= to) to = (from = cycle(begin, 1e-6)) + 1;
+    const api::LimitsReader::Counts counts = limits.count(from, to);
+    for (std::size_t number = 0; number < counts.size(); ++number) {
+      sum[number] += counts[number];
+      all += counts[number];
+    }
+  }
+  if (all == 0) return {};
+  const std::size_t most = api::most_frequent(sum);
+  return {limits.name(most), static_cast<double>(sum[most]) / static_cast<double>(all)};
 }
 
 Response blocks(Context& context, const Request& request) {
@@ -86,7 +111,9 @@ Response blocks(Context& context, const Request& request) {
   const std::string& id = request.parameter("id");
   const api::Job job = require_success(context, id);
   return unless_known(request, content_etag(context, job, "blocks"), [&] {
-    const api::SegmentTable table = segments_of(stored_views(context, id), id);
+    const SeriesInfo info = require_views(context, id);
+    const api::SetpointSeries series = stored_series(context.store, info);
+    const api::SegmentTable table = segments_of(series, id);
     const std::vector<api::ListedBlock> list = api::list_blocks(table, query.by, query.sort);
     std::set<std::size_t> lines;
     for (std::size_t i = query.first; i < list.size() && i - query.first < query.count; ++i)
@@ -94,14 +121,16 @@ Response blocks(Context& context, const Request& request) {
     std::optional<ProgramLines> program;
     if (table.program) program.emplace(context.store, id, lines);
     const auto text = [&](std::size_t line) { return program ? (*program)(line) : std::string(); };
-    return json_answer(200, api::blocks_document(table, query, list, {text}));
+    api::LimitsReader limits(series.view, series.count);
+    const auto limit = [&](const Intervals& intervals) { return main_limit(limits, series, intervals); };
+    return json_answer(200, api::blocks_document(table, query, list, {text, limit}));
   });
 }
 
-api::PathRows rows_of(const StoredViews& views, std::string_view path) {
-  const std::vector<Column>& columns = views.series.columns;
+api::PathRows rows_of(const api::SetpointSeries& series, std::string_view path) {
+  const std::vector<Column>& columns = series.columns;
   for (const api::PathColumns& each : api::path_columns(columns))
-    if (each.name == path) return {views.series.count, columns.size(), api::RowVertices(columns, each), views.rows};
+    if (each.name == path) return {series.count, columns.size(), api::RowVertices(columns, each), series.read};
   throw std::logic_error("a stored path without columns");
 }
 
@@ -114,7 +143,8 @@ bool binary(const Request& request, const api::PathQuery& query) {
 }
 
 /// Returns the columns that are asked for beside the coordinates.
-std::vector<api::PathColumn> columns_of(const api::PathQuery& query, const StoredViews& views, const std::string& id) {
+std::vector<api::PathColumn> columns_of(const api::PathQuery& query, const api::SetpointSeries& series,
+                                        const std::string& id) {
   std::vector<api::PathColumn> columns;
   for (const std::string& name : query.columns) {
     if (name == "v") {
@@ -124,17 +154,21 @@ std::vector<api::PathColumn> columns_of(const api::PathQuery& query, const Store
     } else if (name == "block") {
       columns.push_back({name, "1", [](const api::PathVertex& v) { return v.block; }});
     } else if (name == "line") {
-      const auto table = std::make_shared<const api::SegmentTable>(segments_of(views, id));
-      columns.push_back({name, "1", [table, step = views.series.cycle_time](const api::PathVertex& v) {
+      const auto table = std::make_shared<const api::SegmentTable>(segments_of(series, id));
+      columns.push_back({name, "1", [table, step = series.cycle_time](const api::PathVertex& v) {
                            const auto& all = table->segments;
                            const auto next = std::upper_bound(
                                all.begin(), all.end(), v.row * step,
                                [](double t, const api::PlannedSegment& segment) { return t < segment.start; });
                            return (next == all.begin() ? next : next - 1)->source;
                          }});
-    } else {
-      const std::string message = name + " is not available for a path";
-      throw api::Problem("schema-violation", "/query/columns: " + message, {{"/query/columns", message}});
+    } else {  // use or limit
+      const auto limited = std::make_shared<const api::SetpointSeries>(api::with_limits(series));
+      const std::size_t at = limited->columns.size() - (name == "use" ? 2 : 1);
+      columns.push_back({name, "1", [limited, at, row = std::vector<double>()](const api::PathVertex& v) mutable {
+                           limited->read(v.row, 1, row);
+                           return row[at];
+                         }});
     }
   }
   return columns;
@@ -146,13 +180,14 @@ Response path(Context& context, const Request& request) {
   const std::string& id = request.parameter("id");
   const api::Job job = require_success(context, id);
   Response response = unless_known(request, content_etag(context, job, bytes ? "path-f32" : "path-json"), [&] {
-    const StoredViews views = stored_views(context, id);
+    const SeriesInfo info = require_views(context, id);
+    const api::SetpointSeries series = stored_series(context.store, info);
     const bool part = query.of == "part";
-    const api::StoredPath stored(views.read, part ? "tool" : query.of);
-    if (!stored.exists() || (part && !views.series.pose_frame))
+    const api::StoredPath stored(series.view, part ? "tool" : query.of);
+    if (!stored.exists() || (part && !series.pose_frame))
       throw api::Problem("not-found", "The job " + api::shortened(id) + " has no path of " + query.of + ".");
-    const api::ChosenPath chosen = api::choose_path(stored, query, rows_of(views, part ? "tool" : query.of));
-    const std::vector<api::PathColumn> columns = columns_of(query, views, id);
+    const api::ChosenPath chosen = api::choose_path(stored, query, rows_of(series, part ? "tool" : query.of));
+    const std::vector<api::PathColumn> columns = columns_of(query, series, id);
     Response answer =
         bytes ? text_answer(200, "application/octet-stream", api::path_f32(chosen, stored.dimension(), columns))
               : text_answer(200, "application/json", api::path_json(chosen, query, stored.dimension(), columns));

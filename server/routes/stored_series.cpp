@@ -1,6 +1,7 @@
 #include "server/routes/stored_series.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "api/kind.hpp"
@@ -38,6 +39,10 @@ SeriesInfo require_series(Context& context, const std::string& id) {
 
 SeriesInfo require_views(Context& context, const std::string& id) {
   SeriesInfo info = require_series(context, id);
+  if (info.views == api::views_version) return info;
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  info = require_series(context, id);  // another request may have made them
   if (info.views == api::views_version) return info;
   constexpr std::size_t bytes_at_once = 4 << 20;
   std::vector<api::ViewPart> parts;

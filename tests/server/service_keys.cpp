@@ -46,7 +46,7 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"GET /v1/events", 406},  // the stream has no end: asked for as JSON
                                          {"DELETE /v1/jobs/{id}", 204},
                                          {"GET /v1/jobs/{id}/blocks", 404},  // a ramp has no blocks
-                                         {"GET /v1/jobs/{id}/path", 404},    // nor a path
+                                         {"GET /v1/jobs/{id}/path", 200},
                                          {"POST /v1/check", 200},
                                          {"GET /v1/examples", 200},
                                          {"GET /v1/examples/{name}", 200},

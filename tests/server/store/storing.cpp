@@ -9,7 +9,7 @@
 namespace bahnwerk::server {
 namespace {
 
-/// Rows that do not compress: 16 MB a million.
+/// Rows that do not compress, of no path: 16 MB a million.
 class Random final : public SetpointSource {
  public:
   const std::vector<Column>& columns() const override { return columns_; }
@@ -22,7 +22,7 @@ class Random final : public SetpointSource {
   }
 
  private:
-  std::vector<Column> columns_{{"x", "mm"}, {"y", "mm"}};
+  std::vector<Column> columns_{{"p", "mm"}, {"q", "mm"}};
 };
 
 api::PlannedJob long_plan() {
