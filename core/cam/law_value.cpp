@@ -40,10 +40,20 @@ std::array<double, limited_orders> effective_weights(const MotionLawProblem& pro
 LawValue evaluate_objective(const MotionLawProblem& problem, const CamLaw& law) {
   LawValue value;
   const auto weight = effective_weights(problem);
+  const PeakGroups groups = problem.peak_groups();
   for (int r = 0; r < limited_orders; ++r) {
     const auto i = static_cast<std::size_t>(r);
     value.peaks[i] = law.peak(r);
-    value.objective += weight[i] * value.peaks[i].value;
+    if (groups.count() == 1) {
+      value.objective += weight[i] * groups.weight[0] * value.peaks[i].value;
+      continue;
+    }
+    std::vector<double> peaks(groups.count());
+    for (std::size_t p = 0; r > 0 && p < law.pieces(); ++p) {
+      double& peak = peaks[groups.of_section[law.piece(p).section]];
+      peak = std::max(peak, law.peak(r, p).value);
+    }
+    for (std::size_t g = 0; g < peaks.size(); ++g) value.objective += weight[i] * groups.weight[g] * peaks[g];
   }
   if (problem.objective.zero_crossing_penalty > 0) {
     for (std::size_t section = 0; section < problem.sections(); ++section)

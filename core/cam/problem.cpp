@@ -35,6 +35,19 @@ Range MotionLawProblem::end_position(std::size_t section) const {
   return {at_point.min + more, at_point.max + more};
 }
 
+PeakGroups MotionLawProblem::peak_groups() const {
+  PeakGroups groups;
+  std::optional<std::size_t> common;
+  for (std::size_t s = 0; s < sections(); ++s) {
+    const std::optional<double> own = points[s].weight;
+    groups.of_section.push_back(own || !common ? groups.count() : *common);
+    if (!own && common) continue;
+    if (!own) common = groups.count();
+    groups.weight.push_back(own.value_or(1));
+  }
+  return groups;
+}
+
 std::vector<double> section_times(const MotionLawProblem& problem, const std::vector<double>& at) {
   const double scale = problem.seconds_per_unit();
   std::vector<double> times;

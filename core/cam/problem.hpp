@@ -5,6 +5,7 @@
 /// Units: angles in the master's unit; positions in the slave's; derivatives with respect to time, unit/s^r, wherever
 /// the cycle's duration is known. Section i begins at point i; an open law of N points has N − 1 sections, a periodic
 /// one has N: the last leads to point 0, one master length later.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,7 @@ struct MotionPoint {
   std::vector<Range> values;  ///< one per order, 0 position; what is absent or free() is not asked for
   int continuity = 2;         ///< the document's order; see MotionLawProblem::continuity()
   std::array<Range, limited_orders> section{};  ///< limits by order, all over the section that begins here
+  std::optional<double> weight;                 ///< see LawObjective; of the section that begins here
   std::optional<ClassicalLaw> law;              ///< the law of the section that begins here; none: a polynomial
   std::optional<double> inflection;             ///< λ of that law, 0 < λ < 1; none: 0.5
   SineStraight fractions;                       ///< those of law `sine_straight_combination`
@@ -45,6 +47,7 @@ struct MotionPoint {
 };
 
 /// J = Σ weight[r] · (largest |s^(r)| inside the sections), r = 1 velocity, 2 acceleration, 3 jerk; weight[0] is 0.
+/// A section with a weight of its own is not among these: its own such sum is added to J, times that weight.
 struct LawObjective {
   std::array<double, limited_orders> weight{0, 1, 1, 0.1};
   /// Each peak counts as its coefficient peak · T^r / h, T the cycle's duration, h = points_stroke().
@@ -64,6 +67,14 @@ struct DriveLimits {
   double velocity = std::numeric_limits<double>::infinity();
   double acceleration = std::numeric_limits<double>::infinity();
   double jerk = std::numeric_limits<double>::infinity();
+};
+
+/// The sections of a law in groups that share their peaks in J.
+struct PeakGroups {
+  std::vector<std::size_t> of_section;  ///< number of the group of each section
+  std::vector<double> weight;           ///< factor of each group's peaks in J
+  std::size_t count() const { return weight.size(); }
+  double least_weight() const { return *std::min_element(weight.begin(), weight.end()); }
 };
 
 enum class LawMethod { active_set, optimal };
@@ -100,6 +111,8 @@ struct MotionLawProblem {
   /// Returns the stroke that the points force over one cycle: the highest lower end of their position ranges less the
   /// lowest upper end, at least the travel; 0 if that is negative.
   double points_stroke() const;
+  /// Returns the sections by what share their peaks in J: a group per section with a weight, and one of all the others.
+  PeakGroups peak_groups() const;
 };
 
 /// Returns the breakpoints of all sections for chosen angles (one per point, master's unit), in s: sections() + 1 of

@@ -59,6 +59,10 @@ class Faults {
       else if (!limit.free())
         meets_values(i, r, limit, place);
     }
+    if (p.weight && (last || !problem_.cycle_duration))
+      add({"points", std::to_string(i), "section", "weight"},
+          last ? "the law ends at this point: no section begins here"
+               : "belongs to J, and the law is made for the shortest cycle: leave it out");
     if (last && p.law) add({"points", std::to_string(i), "law"}, "the law ends at this point: no section begins here");
     if (p.inflection && !p.law)
       add({"points", std::to_string(i), "inflection"}, "belongs to a classical law, which `law` names");

@@ -42,10 +42,12 @@ MotionPoint point(const json& p) {
     if (const auto at = p.find(order_names[r]); at != p.end()) put(r, *at);
   if (const auto at = p.find("derivatives"); at != p.end())
     for (const auto& [order, value] : at->items()) put(std::stoi(order), value);
-  if (const auto at = p.find("section"); at != p.end() && at->is_object())
+  if (const auto at = p.find("section"); at != p.end() && at->is_object()) {
+    if (const auto weight = at->find("weight"); weight != at->end()) out.weight = weight->get<double>();
     for (int r = 0; r < 4; ++r)
       if (const auto limit = at->find(order_names[r]); limit != at->end())
         out.section[static_cast<std::size_t>(r)] = range(*limit);
+  }
   if (const auto at = p.find("law"); at != p.end())
     out.law = value_of<cam::ClassicalLaw>(at->get<std::string>(), cam::classical_laws);
   if (const auto at = p.find("inflection"); at != p.end()) out.inflection = at->get<double>();

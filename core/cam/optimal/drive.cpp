@@ -48,6 +48,7 @@ LawTask task_of(const MotionLawProblem& problem, double duration) {
   LawTask task = make_law_task(timed);
   const auto limit = limits_of(*problem.drive);
   task.largest_peak = true;
+  task.groups = {std::vector<std::size_t>(task.sections(), 0), {1}};
   for (std::size_t r = 1; r < limited_orders; ++r)
     task.weight[r] = std::isfinite(limit[r]) ? 1 / (limit[r] * task.to_task(static_cast<int>(r))) : 0;
   return task;

@@ -70,7 +70,7 @@ void check_lengths(const MotionLawProblem& problem, const LawTask& task, int deg
     const int order = kept_order(task, s);
     const double length = problem.length / task.cycle;  // of the mean section, master's unit
     const double least = length * std::pow(published_rounding(task, degree, 1, order) /
-                                               (1e-4 * LawTask::usual_peaks[static_cast<std::size_t>(order)]),
+                                               (1e-4 * task.size[static_cast<std::size_t>(order)]),
                                            1.0 / order);
     faults.push_back({{"points", std::to_string(end), "at"},
                       "is so close to point " + std::to_string(s) + " that rounding of positions hides the " +

@@ -150,6 +150,7 @@ LawTask make_law_task(const MotionLawProblem& problem) {
   add_given_sections(problem, task);
   fix_forced_sections(task);
   pin_values(task);
+  task.groups = problem.peak_groups();
   const std::array<double, limited_orders> weight = effective_weights(problem);
   for (int r = 1; r < limited_orders; ++r)
     task.weight[static_cast<std::size_t>(r)] = weight[static_cast<std::size_t>(r)] / task.to_task(r);

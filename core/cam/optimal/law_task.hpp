@@ -41,7 +41,10 @@ struct LawTask {
     /// Returns the largest |s^(order)| if the section lasts `length`.
     double peak_at(int order, double length) const;
   };
+  /// What derivatives have, by order: rounding of the published positions has to be small beside it.
+  std::array<double, limited_orders> size{usual_peaks[0], usual_peaks[1], usual_peaks[2], usual_peaks[3]};
   std::vector<std::optional<Given>> given;  ///< empty, or one entry per section
+  PeakGroups groups;  ///< sections that share their peaks; a drive's limits are those of all sections
   std::array<double, limited_orders>
       weight{};  ///< weight of each order's peak, in these units; J is in the user's units
   /// J is the largest weight · peak instead of their sum: how far a law exceeds limits that are 1 / weight.

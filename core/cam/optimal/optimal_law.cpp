@@ -83,6 +83,30 @@ SplineResult in_weights(const MotionLawProblem& problem, const LawTask& task, co
   return spline;
 }
 
+/// Returns whether rounding of the published positions leaves all derivatives that a law has to keep. Else the task's
+/// sizes become those of the law.
+bool is_published(LawTask& task, const LawBasis& basis, const SplineResult& spline, const CamLaw& law) {
+  std::array<double, limited_orders> size = task.size;
+  const LawExtremes positions = law.extremes(0);
+  double least = (positions.highest.value - positions.lowest.value) / task.unit_position;  // stroke by cycle^r
+  for (int r = 1; r < limited_orders; ++r) {
+    double& own = size[static_cast<std::size_t>(r)];
+    least /= task.cycle;
+    own = std::min(own, std::max(least, law.peak(r).value * task.to_task(r)));
+  }
+  for (std::size_t s = 0; s < task.sections(); ++s) {
+    if (task.is_given(s) || task.constant_velocity(s)) continue;
+    const int order = kept_order(task, s);
+    const double length = (spline.breaks[s + 1] - spline.breaks[s]) / static_cast<double>(basis.section(s).pieces());
+    if (published_rounding(task, static_cast<int>(basis.degree()), length, order) <=
+        1e-4 * size[static_cast<std::size_t>(order)])
+      continue;
+    task.size = size;
+    return false;
+  }
+  return true;
+}
+
 /// Adds a note if the law leaves the positions' range between its points, and on what would prevent it: small peaks
 /// alone do not keep it there.
 void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vector<std::string>& notes) {
@@ -163,7 +187,7 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
     solution.cycle_bound = std::move(cycle.bound);
   }
   check_contradictions(problem, given);
-  const LawTask task = make_law_task(problem);
+  LawTask task = make_law_task(problem);
   if (direct) {
     solution.law = direct->law;
     const double objective = evaluate_objective(problem, direct->law).objective;
@@ -173,7 +197,13 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
     bound_law(task, law, chosen, progress);
   } else {
     check_lengths(problem, task, problem.degree.value_or(least_degree(task)));
-    chosen = choose_degree(problem, task, progress);
+    // Where the law's derivatives are smaller than usual, short sections have fewer pieces or are refused.
+    for (int round = 0; round < 3; ++round) {
+      chosen = choose_degree(problem, task, progress);
+      const LawBasis tried(task, chosen.degree, chosen.pieces);
+      if (is_published(task, tried, chosen.spline, to_law(problem, task, tried, chosen.spline))) break;
+      check_lengths(problem, task, problem.degree.value_or(least_degree(task)));
+    }
   }
   result.degree = chosen.degree;
   result.pieces = chosen.pieces;

@@ -12,15 +12,19 @@ namespace bahnwerk {
 
 double mean_velocity_bound(const cam::MotionLawProblem& problem) {
   const double weight = cam::effective_weights(problem)[1], scale = problem.seconds_per_unit();
-  double most = 0;
+  const cam::PeakGroups groups = problem.peak_groups();
+  std::vector<double> most(groups.count());
   for (std::size_t s = 0; s < problem.sections(); ++s) {
     const std::size_t e = problem.end_point(s);
     const cam::Range from = problem.points[s].value(0), to = problem.end_position(s);
     const double way = std::max({from.min - to.max, to.min - from.max, 0.0});
     const double angle = problem.points[e].at.max - problem.points[s].at.min + (e <= s ? problem.length : 0);
-    most = std::max(most, way / (angle * scale));
+    double& mean = most[groups.of_section[s]];
+    mean = std::max(mean, way / (angle * scale));
   }
-  return weight * most;
+  double sum = 0;
+  for (std::size_t g = 0; g < most.size(); ++g) sum += groups.weight[g] * most[g];
+  return weight * sum;
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #include "core/verify/cam/law_verifier.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -221,16 +222,27 @@ class Verifier {
     for (int r = 1; r < cam::limited_orders; ++r) {
       const auto order = static_cast<std::size_t>(r);
       double peak = 0, at = 0, off = 0;
-      for (std::size_t i = 0; i < law_.bernstein.size(); ++i)
-        for (const double sign : {1.0, -1.0})
-          if (const auto found = most(i, r, sign); found.value > peak)
-            peak = found.value, at = found.at, off = allowed(i, r);
+      // Peaks that count in J, and what they may be off: that of all sections without a weight of their own, and that
+      // of each of the others.
+      std::vector<std::array<double, 2>> counted(sections_count() + 1);
+      for (std::size_t i = 0; i < law_.bernstein.size(); ++i) {
+        const std::size_t s = law_.sections[i];
+        auto& own = counted[problem_.points[s].weight ? s : sections_count()];
+        for (const double sign : {1.0, -1.0}) {
+          const auto found = most(i, r, sign);
+          if (found.value > own[0]) own = {found.value, allowed(i, r)};
+          if (found.value > peak) peak = found.value, at = found.at, off = allowed(i, r);
+        }
+      }
       add(std::string("peak ") + derivative_name(r), unit(r), law_.peaks[order] * (1 + 1e-9) + 2 * off, peak, at);
       if (std::isfinite(drive[r]))
         add(std::string("drive ") + derivative_name(r), unit(r), drive[r] * (1 + 1e-9), peak, at);
       if (problem_.objective.normalised) factor *= law_.cycle_duration;
-      objective += problem_.objective.weight[order] * factor * peak;
-      slack += problem_.objective.weight[order] * factor * 2 * off;
+      for (std::size_t s = 0; s < counted.size(); ++s) {
+        const double own = s < sections_count() ? problem_.points[s].weight.value_or(0) : 1;
+        objective += problem_.objective.weight[order] * factor * own * counted[s][0];
+        slack += problem_.objective.weight[order] * factor * own * 2 * counted[s][1];
+      }
     }
     if (!(problem_.objective.zero_crossing_penalty > 0))
       add("objective", "", law_.objective * (1 + 1e-9) + slack, objective, 0);
@@ -294,7 +306,8 @@ class Verifier {
           for (int r = 0; r < cam::limited_orders && !at_begin && !at_end; ++r) {
             const Range limit = problem_.points[law_.sections[piece]].section[static_cast<std::size_t>(r)];
             if (!limit.free())
-              limits[r].take(std::max({row[1 + r] - limit.max, limit.min - row[1 + r], 0.0}), 2 * off[r], t);
+              limits[r].take(std::max({row[1 + r] - limit.max, limit.min - row[1 + r], 0.0}),
+                             2 * allowed(piece, r) + off[r], t);
           }
         },
         [&](std::size_t, std::size_t) { progress_.report("verification", 0.95); });

@@ -90,6 +90,24 @@ TEST(MotionLaw, FractionsBelongToTheSineStraightCombinationAndFillASectionAtMost
     EXPECT_EQ(fault_pointers(with("sine_straight_combination", {{"b", 0.2}, {"c", 0.3}, {"d", d}})), at_fractions) << d;
 }
 
+TEST(MotionLaw, AWeightOfASectionIsInTheResultAndBelongsToAKnownCycle) {
+  json spec =
+      json::parse(R"({"master":{"length":360,"cycle_duration":0.6},"periodic":false,"degree":5,"pieces":2,"points":[
+    {"at":0,"position":0,"velocity":0,"acceleration":0},
+    {"at":60,"position":30,"velocity":0,"acceleration":0,"section":{"weight":2,"velocity":{"max":0}}},
+    {"at":360,"position":0,"velocity":0,"acceleration":0}]})");
+  const json sections = planned(spec).result["details"]["sections"];
+  EXPECT_TRUE(sections[0]["weight"].is_null());
+  EXPECT_EQ(sections[1]["weight"], 2);
+  // Both are rests of the same stroke: the peaks differ by the durations' ratio, and nothing else.
+  EXPECT_NEAR(sections[0]["peaks"]["acceleration"].get<double>(),
+              25 * sections[1]["peaks"]["acceleration"].get<double>(),
+              0.05 * sections[0]["peaks"]["acceleration"].get<double>());
+  spec["master"]["cycle_duration"] = nullptr;
+  spec["drive"] = {{"acceleration", 1000}};
+  EXPECT_EQ(fault_pointers(spec), std::vector<std::string>{"/spec/points/1/section/weight"});
+}
+
 TEST(MotionLaw, CoefficientsOfAClassicalSectionAreInTheResult) {
   const auto sections = planned(example("classical")).result["details"]["sections"];
   EXPECT_EQ(sections[0]["law"], "modified_sine");

@@ -34,5 +34,18 @@ TEST(MotionLawProblem, SectionsOfAPeriodicLawCloseTheCycle) {
 
 TEST(MotionLawProblem, StrokeOfPointsIsWhatTheirRangesForce) { EXPECT_EQ(periodic_problem().points_stroke(), 4); }
 
+TEST(MotionLawProblem, SectionsWithAWeightAreGroupsOfTheirOwn) {
+  auto problem = periodic_problem();
+  EXPECT_EQ(problem.peak_groups().of_section, (std::vector<std::size_t>{0, 0, 0}));
+  EXPECT_EQ(problem.peak_groups().weight, std::vector<double>{1});
+  problem.points[1].weight = 3;
+  EXPECT_EQ(problem.peak_groups().of_section, (std::vector<std::size_t>{0, 1, 0}));
+  EXPECT_EQ(problem.peak_groups().weight, (std::vector<double>{1, 3}));
+  EXPECT_EQ(problem.peak_groups().least_weight(), 1);
+  problem.points[0].weight = problem.points[2].weight = 0.5;
+  EXPECT_EQ(problem.peak_groups().of_section, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(problem.peak_groups().weight, (std::vector<double>{0.5, 3, 0.5}));
+}
+
 }  // namespace
 }  // namespace bahnwerk::cam

@@ -32,7 +32,7 @@ bool is_expressible(const LawTask& task, std::size_t section, int degree) {
   const std::vector<double> breaks = task.breaks(task.middle());
   const int order = kept_order(task, section);
   return published_rounding(task, degree, breaks[section + 1] - breaks[section], order) <=
-         1e-4 * LawTask::usual_peaks[static_cast<std::size_t>(order)];
+         1e-4 * task.size[static_cast<std::size_t>(order)];
 }
 
 bool is_expressible(const LawTask& task, int degree) {
@@ -56,7 +56,7 @@ LawBasis::LawBasis(const LawTask& task, int degree, int pieces)
     const double length = breaks[s + 1] - breaks[s];
     int count = pieces;
     while (count > 1 && (pieces % count != 0 || !(published_rounding(task, degree, length / count, order) <=
-                                                  little * LawTask::usual_peaks[static_cast<std::size_t>(order)])))
+                                                  little * task.size[static_cast<std::size_t>(order)])))
       --count;
     add_section(equal_breaks(count));
   }

@@ -21,6 +21,7 @@ double position_bound(const LawTask& task, double upper) {
   }
   if (position < 0) return 0;
   const double t = task.cycle;
+  upper /= task.groups.least_weight();  // what a weighted sum of peaks is at most, no peak exceeds
   if (task.weight[1] > 0) return position + upper / task.weight[1] * t;
   if (task.periodic) {  // such a law has its mean velocity somewhere, and no acceleration somewhere
     velocity = std::abs(task.travel) / t;
@@ -78,7 +79,7 @@ std::array<double, limited_orders> SplineProgram::differences(const SplineResult
           return condition.order == static_cast<int>(r) && condition.range.fixed();
         });
     if (counted(static_cast<int>(r)))
-      out[r] = law.objective / task_.weight[r] + law.peaks[r];
+      out[r] = law.objective / (task_.groups.least_weight() * task_.weight[r]) + law.peaks[r];
     else if (r + 1 < limited_orders && known && smooth >= static_cast<int>(r))
       out[r] = task_.cycle * out[r + 1];
   }
@@ -148,12 +149,13 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
     }
     bound -= known->second.solve(own).lpNorm<1>() * std::pow(length, order) * (order == 0 ? reached : apart[order]);
   }
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted(static_cast<int>(r))) {
-      bound -= std::max(0.0, -dual.residual[band_.border_index(peak_border_[r])]) * law.objective /
-               (task_.weight[r] * unit_[r]);  // peaks are not negative
-      if (task_.largest_peak) break;
-    }
+  for (std::size_t g = 0; g < task_.groups.count(); ++g)
+    for (std::size_t r = 1; r < limited_orders; ++r)
+      if (counted(static_cast<int>(r))) {
+        bound -= std::max(0.0, -dual.residual[band_.border_index(peak_border_[g][r])]) * law.objective /
+                 (unit_objective_ * peak_cost(g, r));  // peaks are not negative
+        if (task_.largest_peak) break;
+      }
   return bound * unit_objective_;
 }
 

@@ -35,12 +35,10 @@ LawConflict SplineProgram::find_conflict(Progress& progress) {
   const std::vector<double> smooth(point_.x.begin(),
                                    point_.x.begin() + static_cast<std::ptrdiff_t>(band_.band_variables()));
   give_ = band_.add_border(1);
-  set_units(law.peaks);
-  const std::array<double, limited_orders> smooth_peaks = law.peaks;
+  set_units(law);
+  const SplineResult smooth_law = law;
   constexpr double little = 1e-4;  // cost of the peaks, for a law that is bounded
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted(static_cast<int>(r)))
-      band_.set_border_cost(peak_border_[r], little * task_.weight[r] * unit_[r] / unit_objective_);
+  set_peak_costs(little);
   double give = 1 + 2 * law.violation;
   InteriorPointOptions interior;
   interior.gap = 1e-6;
@@ -51,7 +49,7 @@ LawConflict SplineProgram::find_conflict(Progress& progress) {
     point_.x.assign(band_.band_variables() + band_.borders(), 0);
     std::copy(smooth.begin(), smooth.end(), point_.x.begin());
     std::fill(point_.y.begin(), point_.y.end(), 0.0);
-    set_peaks(smooth_peaks, 1.2);
+    set_peaks(smooth_law, 1.2);
     const std::vector<double>& g = band_.inequality_side();
     std::vector<double> gx(g.size()), ex(point_.y.size());
     band_.multiply(point_.x, gx, ex);

@@ -14,11 +14,11 @@ JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progr
   std::copy(reference_x_.begin(), reference_x_.end(), point_.x.begin());
   point_.y.assign(band_.equality_side().size(), 0);
   SplineResult law;
-  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = LawTask::usual_peaks[r];
+  set_usual_units();
   add_rows();
   evaluate(law, false);
-  set_units(law.peaks);
-  set_peaks(law.peaks, 1.1);
+  set_units(law);
+  set_peaks(law, 1.1);
   add_rows();
   for (std::size_t i = 0; i < task_.points(); ++i) {
     if (time_border_[i] == BorderedRow::none) continue;
@@ -51,11 +51,11 @@ JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progr
     if (time_border_[i] != BorderedRow::none)
       step.times[i] =
           std::clamp(times_[i] + point_.x[band_.border_index(time_border_[i])], task_.at[i].min, task_.at[i].max);
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (task_.largest_peak)
-      step.objective = unit_objective_ * point_.x[band_.border_index(0)];
-    else if (counted(static_cast<int>(r)))
-      step.objective += task_.weight[r] * unit_[r] * point_.x[band_.border_index(peak_border_[r])];
+  if (task_.largest_peak) step.objective = unit_objective_ * point_.x[band_.border_index(0)];
+  for (std::size_t g = 0; g < task_.groups.count() && !task_.largest_peak; ++g)
+    for (std::size_t r = 1; r < limited_orders; ++r)
+      if (counted(static_cast<int>(r)))
+        step.objective += unit_objective_ * peak_cost(g, r) * point_.x[band_.border_index(peak_border_[g][r])];
   return step;
 }
 

@@ -12,9 +12,10 @@ SplineProgram::SplineProgram(const LawTask& task, const LawBasis& basis, const s
                              const JointReference* reference)
     : task_(task), basis_(basis), reference_(reference), times_(times), breaks_(task.breaks(times)) {
   for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) lengths_.push_back(breaks_[i + 1] - breaks_[i]);
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted(static_cast<int>(r)))
-      peak_border_[r] = task.largest_peak && band_.borders() > 0 ? 0 : band_.add_border(1);
+  peak_border_.resize(task.groups.count());
+  for (auto& borders : peak_border_)
+    for (std::size_t r = 1; r < limited_orders; ++r)
+      if (counted(static_cast<int>(r))) borders[r] = task.largest_peak && band_.borders() > 0 ? 0 : band_.add_border(1);
   for (int r = 1; r < limited_orders; ++r)
     for (std::size_t s = 0; s < task.given.size() && counted(r); ++s) {
       if (!task.given[s]) continue;
@@ -65,11 +66,11 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
   if (!find_start()) return result;
   // Units from the first law's own peaks, the objective's from its J.
   evaluate(result, false);
-  set_units(result.peaks);
-  set_peaks(result.peaks, 1.2);
+  set_units(result);
+  set_peaks(result, 1.2);
   start_ = point_.x;
   add_rows();
-  center();
+  center(1);
   const double first_objective = std::max(result.objective, 1e-300);
   double gap = 1, distance = 1, last_distance = std::numeric_limits<double>::infinity();
   int stalled = 0, failed = 0, polishing = 0;
@@ -83,8 +84,10 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
     interior.max_iterations = 30;
     InteriorPointResult inner = solve_interior_point(band_, point_, interior);
     result.iterations += inner.iterations;
-    if (!inner.converged) {  // the method begins in the middle again, with the same points
-      center();
+    // The method begins in the middle again, with the same points; where there is no law yet, farther inside, too.
+    for (const double above : {1.0, 10.0}) {
+      if (inner.converged || (above > 1 && best.feasible)) break;
+      center(above);
       interior.max_iterations = 60;
       inner = solve_interior_point(band_, point_, interior);
       result.iterations += inner.iterations;
@@ -99,7 +102,7 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
       if (++failed > 2) break;
       exchange();
       add_rows();
-      center();
+      center(1);
       continue;
     }
     const bool holds = result.violation <= options.violation;
@@ -131,7 +134,7 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
     }
     exchange();
     add_rows();
-    set_peaks(result.peaks, 1 + 0.1 * distance);
+    set_peaks(result, 1 + 0.1 * distance);
     set_point(10 * distance / static_cast<double>(point_.s.size()));
   }
   if (!best.feasible) return result;

@@ -7,7 +7,7 @@
 /// the dual of a program with some sample points, hence valid for all of them. Rounds end when both agree. Cost: linear
 /// in the number of sections; some 5 to 8 rounds of 5 to 15 iterations.
 ///
-/// Variables are scaled by coefficient_of_variable(): in short sections they are derivatives themselves.
+/// Variables are scaled by coefficient_of_variable(): they are derivatives themselves.
 ///
 /// A given section keeps its place among the variables, which are 0 there: its ends are conditions of its neighbours,
 /// its peaks lower limits of the shared peaks.
@@ -35,13 +35,14 @@ struct LawSample {
 };
 
 struct SplineResult {
-  bool feasible = false;             ///< values and continuity do not contradict each other, limits hold
-  bool converged = false;            ///< objective and lower agree
-  std::vector<double> breaks;        ///< times at which sections begin, and the end; the task's units
-  std::vector<double> coefficients;  ///< those of LawBasis
-  double objective = 0;              ///< J of the true peaks
-  double lower = 0;                  ///< no spline of this degree, with these angles, has less
-  std::array<double, limited_orders> peaks{};
+  bool feasible = false;                       ///< values and continuity do not contradict each other, limits hold
+  bool converged = false;                      ///< objective and lower agree
+  std::vector<double> breaks;                  ///< times at which sections begin, and the end; the task's units
+  std::vector<double> coefficients;            ///< those of LawBasis
+  double objective = 0;                        ///< J of the true peaks
+  double lower = 0;                            ///< no spline of this degree, with these angles, has less
+  std::array<double, limited_orders> peaks{};  ///< largest ones of the whole law
+  std::vector<std::array<double, limited_orders>> group_peaks{};  ///< those of each group of sections
   double violation = 0;        ///< the largest one of section limits and ranges, in parts of the order's unit
   double limit_violation = 0;  ///< largest violation of section limits alone
   int rounds = 0, iterations = 0;
@@ -49,7 +50,7 @@ struct SplineResult {
 };
 
 struct SplineOptions {
-  double gap = 2e-9;  ///< (J − lower bound)/J
+  double gap = 9e-10;  ///< (J − lower bound)/J; a basis that contains another is not worse by 1e-9
   double violation = 1e-10;
   int max_rounds = 25;
 };
@@ -94,9 +95,9 @@ class SplineProgram {
   void add_rows();
   void initial_samples();
   void set_point(double mu);
-  void center();
+  void center(double above);
   void add_floors();
-  void set_peaks(const std::array<double, limited_orders>& peaks, double factor);
+  void set_peaks(const SplineResult& law, double factor);
   void settle_equalities();
   void settle_points();
   double row_weight() const;
@@ -119,7 +120,20 @@ class SplineProgram {
   std::vector<double> variables(const std::vector<double>& coefficients) const;
   bool counted(int order) const { return task_.weight[static_cast<std::size_t>(order)] > 0; }
 
-  void set_units(const std::array<double, limited_orders>& peaks);
+  void set_units(const SplineResult& law);
+  void set_usual_units();
+  void set_peak_costs(double factor);
+  /// Returns the shared variable of a section's peak.
+  std::size_t peak_border(std::size_t section, int order) const {
+    return peak_border_[task_.groups.of_section[section]][static_cast<std::size_t>(order)];
+  }
+  double peak_unit(std::size_t section, int order) const {
+    return peak_unit_[task_.groups.of_section[section]][static_cast<std::size_t>(order)];
+  }
+  /// Returns the weight in J, in parts of unit_objective_, of a group's peak, which is in parts of peak_unit_.
+  double peak_cost(std::size_t group, std::size_t order) const {
+    return task_.groups.weight[group] * task_.weight[order] * peak_unit_[group][order] / unit_objective_;
+  }
   void set_row(std::size_t section, const std::vector<double>& weights, BorderedRow& row) const;
   /// Adds to `out` how a value Σ weights · variables of an order changes with the times of the section's ends where the
   /// law is stretched.
@@ -143,9 +157,10 @@ class SplineProgram {
   BorderedBand band_;
   InteriorPoint point_;
   std::vector<double> start_multipliers_;
-  std::vector<double> start_;                              // x of the first law, its peaks
-  std::array<double, limited_orders> unit_{};              // units of the peaks
-  std::array<std::size_t, limited_orders> peak_border_{};  // shared variable of the order
+  std::vector<double> start_;                                         // x of the first law, its peaks
+  std::array<double, limited_orders> unit_{};                         // units of the limits
+  std::vector<std::array<double, limited_orders>> peak_unit_;         // units of the peaks by group and order
+  std::vector<std::array<std::size_t, limited_orders>> peak_border_;  // shared variables by group and order
   double unit_objective_ = 1;
   struct Sampled {
     LawSample sample;

@@ -61,14 +61,15 @@ SplineResult SplineProgram::least_rms(int order, const SplineResult& first, Prog
   const std::vector<double> x = variables(first.coefficients);
   std::copy(x.begin(), x.end(), point_.x.begin());
   point_.y.assign(band_.equality_side().size(), 0);
-  set_units(first.peaks);
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted(static_cast<int>(r))) band_.set_border_cost(peak_border_[r], 0);
-  objective_limit_ = (1 + above) * first.objective / unit_objective_;
-  set_peaks(first.peaks, 1 + above / 2);
   SplineResult result = first, best = first;
+  set_usual_units();
   add_rows();
-  evaluate(result, false);  // finds the extrema of the first law
+  evaluate(result, false);  // finds the extrema and the peaks of the first law
+  set_units(result);
+  set_peak_costs(0);
+  objective_limit_ = (1 + above) * first.objective / unit_objective_;
+  set_peaks(result, 1 + above / 2);
+  add_rows();
   double least = mean_square(order);
   if (std::sqrt(least) < 1e-9 * LawTask::usual_peaks[order]) return first;  // a straight line but for rounding
   add_squares(order);

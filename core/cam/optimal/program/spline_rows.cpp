@@ -252,16 +252,16 @@ bool SplineProgram::pinned(const LawSample& sample) const {
 void SplineProgram::add_floors() {
   std::vector<BorderedRow::Term> terms;
   for (const Floor& floor : floors_) {
-    const auto r = static_cast<std::size_t>(floor.order);
-    terms.assign(1, {peak_border_[r], 1});
+    const double unit = peak_unit(floor.section, floor.order);
+    terms.assign(1, {peak_border(floor.section, floor.order), 1});
     // d(C/T^r) = −r C/T^(r+1) dT: the tangent of a convex function.
-    const double slope = floor.order * floor.peak / lengths_[floor.section] / unit_[r];
+    const double slope = floor.order * floor.peak / lengths_[floor.section] / unit;
     const std::size_t end = task_.periodic ? task_.end_point(floor.section) : floor.section + 1;
     if (time_border_[floor.section] != BorderedRow::none) terms.push_back({time_border_[floor.section], -slope});
     if (time_border_[end] != BorderedRow::none) terms.push_back({time_border_[end], slope});
     BorderedRow row;
     row.border = terms;
-    row.lower = floor.peak / unit_[r];
+    row.lower = floor.peak / unit;
     band_.add_row(row);
   }
 }
@@ -298,7 +298,7 @@ void SplineProgram::add_rows() {
   for (const Sampled& sampled : samples_) {
     const LawSample& at = sampled.sample;
     const auto r = static_cast<std::size_t>(at.order);
-    double known = 0, scale = unit_[r];
+    double known = 0, scale = at.limit ? unit_[r] : peak_unit(at.section, at.order);
     if (at.limit) {
       known = limit_weights(at, weights);
       double most = 0;
@@ -321,14 +321,15 @@ void SplineProgram::add_rows() {
       row.elastic_weight = unit_[r] / scale;
     } else {
       row.lower = row.upper = 0;
-      row.elastic = peak_border_[r];
+      row.elastic = peak_border(at.section, at.order);
     }
     band_.add_row(row);
   }
   if (objective_limit_ == BorderedRow::unlimited) return;
   std::vector<BorderedRow::Term> terms;
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted(static_cast<int>(r))) terms.push_back({peak_border_[r], task_.weight[r] * unit_[r] / unit_objective_});
+  for (std::size_t g = 0; g < task_.groups.count(); ++g)
+    for (std::size_t r = 1; r < limited_orders; ++r)
+      if (counted(static_cast<int>(r))) terms.push_back({peak_border_[g][r], peak_cost(g, r)});
   BorderedRow row;
   row.border = terms;
   row.upper = objective_limit_;

@@ -57,9 +57,9 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
   result.peaks = {};
   result.violation = 0;
   std::vector<Extremum> extrema;
-  std::array<double, limited_orders> peaks{};
+  result.group_peaks.assign(task_.groups.count(), {});
   for (const Floor& floor : floors_) {
-    double& peak = peaks[static_cast<std::size_t>(floor.order)];
+    double& peak = result.group_peaks[task_.groups.of_section[floor.section]][static_cast<std::size_t>(floor.order)];
     peak = std::max(peak, floor.peak);
   }
   for (std::size_t section = 0; section < task_.sections(); ++section)
@@ -68,11 +68,12 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
       const Range& limit = task_.limits[section][r];
       const bool peak = order > 0 && counted(order);
       if (!peak && limit.free()) continue;
+      double& largest = result.group_peaks[task_.groups.of_section[section]][r];
       for (std::size_t piece = 0; piece < basis_.section(section).pieces(); ++piece) {
         const std::vector<double> b = derivative(section, piece, order);
         double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
         if (enclosed) {
-          if (peak) peaks[r] = std::max(peaks[r], greatest_magnitude(b).value);
+          if (peak) largest = std::max(largest, greatest_magnitude(b).value);
           if (!limit.free()) {
             highest = greatest_value(b).value;
             std::vector<double> minus = b;
@@ -85,8 +86,9 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
             highest = std::max(highest, each.value);
             lowest = std::min(lowest, each.value);
           }
-          if (peak) peaks[r] = std::max({peaks[r], highest, -lowest});
-          const double last_peak = peak ? point_.x[band_.border_index(peak_border_[r])] * unit_[r] : 0;
+          if (peak) largest = std::max({largest, highest, -lowest});
+          const double last_peak =
+              peak ? point_.x[band_.border_index(peak_border(section, order))] * peak_unit(section, order) : 0;
           for (const Extremum& each : extrema) {
             const LawSample peak_sample{section, piece, each.at, order, false};
             const LawSample limit_sample{section, piece, each.at, order, true};
@@ -111,12 +113,13 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
       }
     }
   result.limit_violation = result.violation;
-  result.peaks = peaks;
   result.objective = 0;
-  for (std::size_t r = 1; r < limited_orders; ++r) {
-    const double part = task_.weight[r] * peaks[r];
-    result.objective = task_.largest_peak ? std::max(result.objective, part) : result.objective + part;
-  }
+  for (std::size_t g = 0; g < task_.groups.count(); ++g)
+    for (std::size_t r = 1; r < limited_orders; ++r) {
+      result.peaks[r] = std::max(result.peaks[r], result.group_peaks[g][r]);
+      const double part = task_.groups.weight[g] * task_.weight[r] * result.group_peaks[g][r];
+      result.objective = task_.largest_peak ? std::max(result.objective, part) : result.objective + part;
+    }
   std::vector<double> gx(band_.inequality_side().size()), ex(point_.y.size());
   band_.multiply(point_.x, gx, ex);
   for (std::size_t i = 0; i < ex.size(); ++i) {  // rounding aside, these hold
@@ -194,10 +197,11 @@ void SplineProgram::exchange() {
     }
     begin = end;
   }
-  // Points far from any contact have done their part.
+  // Peaks far from any contact have done their part. Limits stay: where nothing else holds a law it would leave them
+  // again.
   std::size_t kept = initial_;
   for (std::size_t i = initial_; i < samples_.size(); ++i)
-    if (samples_[i].slack < 0.3) samples_[kept++] = samples_[i];
+    if (samples_[i].sample.limit || samples_[i].slack < 0.3) samples_[kept++] = samples_[i];
   samples_.resize(kept);
   for (const LawSample& sample : found_) {
     const bool known = std::any_of(samples_.begin(), samples_.end(), [&](const Sampled& other) {

@@ -22,7 +22,7 @@ double SplineProgram::row_weight() const {
 
 /// Finds the smoothest law with the values and continuity, ranges in their middle, in the sense of least squares.
 bool SplineProgram::find_start() {
-  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = LawTask::usual_peaks[r];
+  set_usual_units();
   add_rows();
   const std::size_t sides = band_.inequality_side().size();
   std::vector<double> weights(sides, row_weight()), target(sides, 0);
@@ -60,14 +60,20 @@ bool SplineProgram::find_start() {
   return worst < 1e-7;
 }
 
-void SplineProgram::set_units(const std::array<double, limited_orders>& peaks) {
+void SplineProgram::set_usual_units() {
+  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = LawTask::usual_peaks[r];
+  peak_unit_.assign(task_.groups.count(), unit_);
+}
+
+void SplineProgram::set_units(const SplineResult& law) {
   unit_[0] = LawTask::usual_peaks[0];
   if (task_.largest_peak) {  // the limits, in the ratio in which the first law exceeds them
     double most = 0;
-    for (std::size_t r = 1; r < limited_orders; ++r) most = std::max(most, task_.weight[r] * peaks[r]);
+    for (std::size_t r = 1; r < limited_orders; ++r) most = std::max(most, task_.weight[r] * law.peaks[r]);
     unit_objective_ = most > 0 ? most : 1;
     for (std::size_t r = 1; r < limited_orders; ++r)
       unit_[r] = counted(static_cast<int>(r)) ? unit_objective_ / task_.weight[r] : LawTask::usual_peaks[r];
+    peak_unit_.assign(1, unit_);
     band_.set_border_cost(0, 1);
     return;
   }
@@ -75,31 +81,52 @@ void SplineProgram::set_units(const std::array<double, limited_orders>& peaks) {
   for (std::size_t r = 1; r < limited_orders; ++r) {
     unit_[r] = LawTask::usual_peaks[r];
     if (!counted(static_cast<int>(r))) continue;
-    unit_[r] = std::max(peaks[r], 1e-4 * LawTask::usual_peaks[r]);
-    unit_objective_ += task_.weight[r] * unit_[r];
+    unit_[r] = std::max(law.peaks[r], 1e-4 * LawTask::usual_peaks[r]);
+    for (std::size_t g = 0; g < task_.groups.count(); ++g) {
+      peak_unit_[g][r] = std::max(law.group_peaks[g][r], 1e-4 * LawTask::usual_peaks[r]);
+      unit_objective_ += task_.groups.weight[g] * task_.weight[r] * peak_unit_[g][r];
+    }
   }
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted(static_cast<int>(r)))
-      band_.set_border_cost(peak_border_[r], task_.weight[r] * unit_[r] / unit_objective_);
+  set_peak_costs(1);
 }
 
-/// Sets the shared peaks to `factor` times those given.
-void SplineProgram::set_peaks(const std::array<double, limited_orders>& peaks, double factor) {
+/// Makes the objective J times a factor.
+void SplineProgram::set_peak_costs(double factor) {
+  for (std::size_t g = 0; g < task_.groups.count(); ++g)
+    for (std::size_t r = 1; r < limited_orders; ++r)
+      if (counted(static_cast<int>(r))) band_.set_border_cost(peak_border_[g][r], factor * peak_cost(g, r));
+}
+
+/// Sets the shared peaks to `factor` times those of a law.
+void SplineProgram::set_peaks(const SplineResult& law, double factor) {
   double most = 0;
   for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted(static_cast<int>(r))) most = std::max(most, peaks[r] / unit_[r]);
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted(static_cast<int>(r)))
-      point_.x[band_.border_index(peak_border_[r])] = factor * (task_.largest_peak ? most : peaks[r] / unit_[r]);
+    if (counted(static_cast<int>(r))) most = std::max(most, law.peaks[r] / unit_[r]);
+  for (std::size_t g = 0; g < task_.groups.count(); ++g)
+    for (std::size_t r = 1; r < limited_orders; ++r)
+      if (counted(static_cast<int>(r)))
+        point_.x[band_.border_index(peak_border_[g][r])] =
+            factor * (task_.largest_peak ? most : law.group_peaks[g][r] / peak_unit_[g][r]);
 }
 
-/// Starts with the first law, peaks above its own, and multipliers of one complementarity.
-void SplineProgram::center() {
+/// Starts with the first law, peaks above its own, `above` times as far, and multipliers of one complementarity.
+/// Farther inside, where slacks differ little, the multipliers' sum is that of the costs.
+void SplineProgram::center(double above) {
   point_.x = start_;
+  for (std::size_t k = band_.band_variables(); k < point_.x.size(); ++k) point_.x[k] *= above;
   std::fill(point_.y.begin(), point_.y.end(), 0.0);
   for (Sampled& sampled : samples_) sampled.upper = sampled.lower = -1;
   for (Sampled& sampled : range_state_) sampled.upper = sampled.lower = -1;
-  set_point(0.2 / static_cast<double>(std::max<std::size_t>(1, band_.rows())));
+  double mu = 0.2 / static_cast<double>(std::max<std::size_t>(1, band_.rows()));
+  if (above > 1) {
+    const std::vector<double>& g = band_.inequality_side();
+    std::vector<double> gx(g.size()), ex(point_.y.size());
+    band_.multiply(point_.x, gx, ex);
+    double sum = 0;
+    for (std::size_t i = 0; i < g.size(); ++i) sum += 1 / std::max(g[i] - gx[i], 1e-3);
+    mu = 1 / sum;
+  }
+  set_point(mu);
 }
 
 /// Sets slacks and multipliers for the rows as they are: a row keeps its own, a new one gets s z = mu.

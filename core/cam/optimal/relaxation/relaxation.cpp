@@ -22,18 +22,22 @@ double certified_bound(RelaxationProgram& program, const LawTask& task, const Kn
       largest[i % 3] = std::max(largest[i % 3], std::abs(point.x[i]));
     for (std::size_t r = 1; r < 3; ++r)
       if (program.counted(r))
-        largest[r] = upper / task.weight[r] / program.node_unit(static_cast<std::size_t>(r));
+        largest[r] =
+            upper / (task.groups.least_weight() * task.weight[r]) / program.node_unit(static_cast<std::size_t>(r));
       else
         largest[r] *= 1e3;
     const double position = position_bound(task, upper);
     largest[0] = position > 0 ? position : 1e3 * largest[0];
     for (std::size_t i = 0; i < band.band_variables(); ++i) bound -= std::abs(value.residual[i]) * largest[i % 3];
-    for (std::size_t r = 1; r < limited_orders; ++r)
-      if (program.counted(r)) {
-        bound -= std::max(0.0, -value.residual[program.peak_variable(r)]) * upper /
-                 (task.weight[r] * program.peak_unit(r));  // peaks are not negative
-        if (task.largest_peak) break;
-      }
+    const auto lose = [&](std::size_t variable, double weight, std::size_t r) {  // peaks are not negative
+      bound -= std::max(0.0, -value.residual[variable]) * upper / (weight * task.weight[r] * program.peak_unit(r));
+    };
+    for (std::size_t r = 1; r < limited_orders; ++r) {
+      if (!program.counted(r)) continue;
+      for (std::size_t g = 0; g < task.groups.count(); ++g) lose(program.peak_variable(g, r), task.groups.weight[g], r);
+      if (const auto any = program.any_peak_variable(r)) lose(*any, task.groups.least_weight(), r);
+      if (task.largest_peak) break;
+    }
     if (std::isfinite(bound)) best = std::max(best, bound * program.objective_unit());
     std::vector<double> y(point.y.size()), gx(point.z.size()), ex(point.y.size());
     for (double& each : value.residual) each = -each;
@@ -67,7 +71,11 @@ Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& l
           law.value(node.time, r, node.before) / program.node_unit(static_cast<std::size_t>(r));
     }
   for (std::size_t r = 1; r < limited_orders; ++r)
-    if (program.counted(r)) point.x[program.peak_variable(r)] = above * (task.largest_peak ? law.objective() : 1);
+    if (program.counted(r)) {
+      for (std::size_t group = 0; group < task.groups.count(); ++group)
+        point.x[program.peak_variable(group, r)] = above * (task.largest_peak ? law.objective() : 1);
+      if (const auto any = program.any_peak_variable(r)) point.x[*any] = (1 + above) / 2;
+    }
   point.y.assign(band.equality_side().size(), 0);
   std::vector<double> gx(g.size()), ex(point.y.size());
   band.multiply(point.x, gx, ex);

@@ -43,33 +43,60 @@ RelaxationProgram::RelaxationProgram(const LawTask& task, const std::vector<Rang
     if (counted_[r] && task.largest_peak) unit_[r] = 1 / task.weight[r];  // the limits themselves
     if (counted_[r]) scale_ += task.weight[r] * unit_[r];
   }
+  if (task.groups.count() > 1) scale_ = law.objective();
   if (task.largest_peak) scale_ = 1;
-  for (std::size_t r = 1; r < limited_orders; ++r)
-    if (counted_[r])
-      border_[r] = task.largest_peak && band_.borders() > 0 ? 0 : band_.add_border(task.weight[r] * unit_[r] / scale_);
+  border_.resize(task.groups.count());
+  for (std::size_t g = 0; g < border_.size(); ++g)
+    for (std::size_t r = 1; r < limited_orders; ++r)
+      if (counted_[r])
+        border_[g][r] = task.largest_peak && band_.borders() > 0
+                            ? 0
+                            : band_.add_border(task.groups.weight[g] * task.weight[r] * unit_[r] / scale_);
+  any_.fill(BorderedRow::none);
+  for (std::size_t r = 1; r < limited_orders && border_.size() > 1 && task.free_angles(); ++r)
+    if (counted_[r]) any_[r] = band_.add_border(0);
   add_nodes();
   add_floors();
   add_points();
   add_cells();
 }
 
-/// Adds the rows that keep peaks at least as large as those of given sections.
+std::size_t RelaxationProgram::peak_border(std::size_t section, int order) const {
+  const auto r = static_cast<std::size_t>(order);
+  return section != LawTask::none ? border_[task_.groups.of_section[section]][r]
+         : border_.size() == 1    ? border_[0][r]
+                                  : any_[r];
+}
+
+/// Adds the rows that keep peaks at least as large as those of given sections, and those that define the largest peak
+/// of any group as no more than their sum.
 void RelaxationProgram::add_floors() {
   for (std::size_t r = 1; r < limited_orders; ++r) {
-    double floor = 0;  // peak in the longest sections that the ranges allow
-    for (std::size_t s = 0; s < task_.given.size() && counted_[r]; ++s) {
-      if (!task_.given[s]) continue;
+    if (!counted_[r]) continue;
+    std::vector<double> floors(border_.size());  // peaks in the longest sections that the ranges allow
+    for (std::size_t s = 0; s < task_.sections(); ++s) {
+      double& floor = floors[task_.groups.of_section[s]];
+      if (const auto velocity = task_.constant_velocity(s); velocity && r == 1)
+        floor = std::max(floor, std::abs(*velocity));
+      if (!task_.is_given(s)) continue;
       const std::size_t end = task_.end_point(s);
       const double until = ranges_[end].max + (s + 1 == task_.points() ? task_.cycle : 0);
       floor = std::max(floor, task_.given[s]->peak_at(static_cast<int>(r), until - ranges_[s].min));
     }
-    for (std::size_t s = 0; s < task_.sections() && r == 1; ++s)
-      if (const auto velocity = task_.constant_velocity(s)) floor = std::max(floor, std::abs(*velocity));
-    if (!counted_[r] || !(floor > 0 || grid_.cells.empty())) continue;
-    const BorderedRow::Term peak[] = {{border_[r], 1}};
+    for (std::size_t g = 0; g < border_.size(); ++g) {
+      const BorderedRow::Term peak[] = {{border_[g][r], 1}};
+      BorderedRow row;
+      row.border = peak;
+      row.lower = floors[g] / unit_[r];
+      // Without a row that holds it from below a peak would have no interior.
+      if (floors[g] > 0 || grid_.cells.empty() || border_.size() > 1) band_.add_row(row);
+    }
+    if (any_[r] == BorderedRow::none) continue;
+    std::vector<BorderedRow::Term> sum{{any_[r], -1}};
+    for (const auto& group : border_) sum.push_back({group[r], 1});
     BorderedRow row;
-    row.border = peak;
-    row.lower = floor / unit_[r];
+    row.border = sum;
+    row.lower = 0;
     band_.add_row(row);
   }
 }
@@ -138,17 +165,15 @@ void RelaxationProgram::equal(std::size_t a, std::size_t b, bool far, double mor
     band_.add_equality(terms, more);
 }
 
-void RelaxationProgram::row(std::size_t first, std::span<const double> weights, Range range, int elastic,
+void RelaxationProgram::row(std::size_t first, std::span<const double> weights, Range range, std::size_t elastic,
                             double elastic_weight) {
   BorderedRow row;
   row.first = first;
   row.weights = weights;
   row.lower = range.min;
   row.upper = range.max;
-  if (elastic > 0) {
-    row.elastic = border_[static_cast<std::size_t>(elastic)];
-    row.elastic_weight = elastic_weight;
-  }
+  row.elastic = elastic;
+  if (elastic != BorderedRow::none) row.elastic_weight = elastic_weight;
   band_.add_row(row);
 }
 
@@ -190,8 +215,8 @@ void RelaxationProgram::add_points() {
       }
       const double one[] = {1}, known = reach * next.known;
       row(variable(i, condition.order), one,
-          {(condition.range.min - known) / node_unit_[r], (condition.range.max + known) / node_unit_[r]}, next.order,
-          reach * next.elastic / node_unit_[r]);
+          {(condition.range.min - known) / node_unit_[r], (condition.range.max + known) / node_unit_[r]},
+          reach > 0 ? peak_border(LawTask::none, next.order) : BorderedRow::none, reach * next.elastic / node_unit_[r]);
     }
   }
 }
@@ -204,32 +229,34 @@ void RelaxationProgram::add_cells() {
     const double h = right.time - left.time;
     double w[6];
     const auto clear = [&] { std::fill(w, w + 6, 0.0); };
+    const auto peak = [&](int order) { return peak_border(cell.section, order); };
     // Node values of velocity and acceleration, and their means.
     for (int r = 1; r <= 2; ++r) {
       const auto o = static_cast<std::size_t>(r);
       if (counted_[o]) {
         const double one[] = {1};
-        row(first + o, one, {0, 0}, r, unit_[o] / node_unit_[o]);
-        if (right.before) row(first + 3 + o, one, {0, 0}, r, unit_[o] / node_unit_[o]);
+        row(first + o, one, {0, 0}, peak(r), unit_[o] / node_unit_[o]);
+        // The node on the right is that of the next cell, too, whose row says less where the groups differ.
+        if (right.before || border_.size() > 1) row(first + 3 + o, one, {0, 0}, peak(r), unit_[o] / node_unit_[o]);
       }
     }
-    const auto mean = [&](int r, Range range, int elastic) {
+    const auto mean = [&](int r, Range range, std::size_t elastic) {
       clear();
       const auto o = static_cast<std::size_t>(r);
       w[o - 1] = -node_unit_[o - 1] / (h * unit_[o]);
       w[o + 2] = node_unit_[o - 1] / (h * unit_[o]);
       row(first, w, range, elastic, 1);
     };
-    if (counted_[1]) mean(1, {0, 0}, 1);
+    if (counted_[1]) mean(1, {0, 0}, peak(1));
     if (counted_[2] && cell.smooth >= 1) {
-      mean(2, {0, 0}, 2);
+      mean(2, {0, 0}, peak(2));
       // The second moment of the acceleration, from either end.
       for (const bool from_left : {true, false}) {
         clear();
         const double k = 2 / (h * h * unit_[2]);
         w[0] = -k, w[3] = k;
         w[from_left ? 1 : 4] = -k * h * node_unit_[1];
-        row(first, w, {0, 0}, 2, 1);
+        row(first, w, {0, 0}, peak(2), 1);
       }
     }
     const auto jerk_row = [&](const Direction& d, Range range, bool elastic) {
@@ -240,7 +267,7 @@ void RelaxationProgram::add_cells() {
       w[4] += node_unit_[1] * moment, w[1] -= node_unit_[1] * moment, w[2] -= node_unit_[2] * moment * h;
       const double second = 2 * k * d.c[2] / (h * h * h);
       w[3] += second, w[0] -= second, w[1] -= node_unit_[1] * second * h, w[2] -= node_unit_[2] * second * h * h / 2;
-      row(first, w, range, elastic ? 3 : 0, 1);
+      row(first, w, range, elastic ? peak(3) : BorderedRow::none, 1);
     };
     if (counted_[3] && cell.smooth >= 2)
       for (const Direction& d : directions) jerk_row(d, {0, 0}, true);
@@ -263,9 +290,9 @@ void RelaxationProgram::add_cells() {
       for (const std::size_t node : {cell.left, cell.left + 1}) {
         const std::size_t point = grid_.nodes[node].point;
         if (!pinned_[variable(node, r)] && (point == LawTask::none || ranges_[point].fixed()))
-          row(variable(node, r), one, range, 0, 0);
+          row(variable(node, r), one, range, BorderedRow::none, 0);
       }
-      if (r > 0) mean(r, {limit.min / unit_[o], limit.max / unit_[o]}, 0);
+      if (r > 0) mean(r, {limit.min / unit_[o], limit.max / unit_[o]}, BorderedRow::none);
     }
   }
 }

@@ -2,6 +2,7 @@
 /// The rows of the relaxation (relaxation.hpp): what node values and peaks of every law satisfy.
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,7 +25,13 @@ class RelaxationProgram {
   /// Returns the variable of s^(order) at a node; that of order 0 is the first of three.
   static std::size_t variable(std::size_t node, int order) { return 3 * node + static_cast<std::size_t>(order); }
   bool counted(std::size_t order) const { return counted_[order]; }
-  std::size_t peak_variable(std::size_t order) const { return band_.border_index(border_[order]); }
+  std::size_t peak_variable(std::size_t group, std::size_t order) const {
+    return band_.border_index(border_[group][order]);
+  }
+  /// Returns the variable of the largest peak that any group may have, where there are several.
+  std::optional<std::size_t> any_peak_variable(std::size_t order) const {
+    return any_[order] == BorderedRow::none ? std::nullopt : std::optional(band_.border_index(any_[order]));
+  }
   double peak_unit(std::size_t order) const { return unit_[order]; }       ///< unit of the peak of an order
   double node_unit(std::size_t order) const { return node_unit_[order]; }  ///< unit of a node's value of an order
   double objective_unit() const { return scale_; }
@@ -44,7 +51,10 @@ class RelaxationProgram {
   void add_cells();
   /// Makes variable a be b + more.
   void equal(std::size_t a, std::size_t b, bool far, double more = 0);
-  void row(std::size_t first, std::span<const double> weights, Range range, int elastic, double elastic_weight);
+  /// `elastic` is the shared variable of a peak or none.
+  void row(std::size_t first, std::span<const double> weights, Range range, std::size_t elastic, double elastic_weight);
+  /// Returns the shared variable of a section's peak. LawTask::none: that of any section.
+  std::size_t peak_border(std::size_t section, int order) const;
 
   const LawTask& task_;
   const std::vector<Range>& ranges_;
@@ -52,7 +62,8 @@ class RelaxationProgram {
   BorderedBand band_;
   std::array<bool, limited_orders> counted_{};
   std::array<double, limited_orders> unit_{};
-  std::array<std::size_t, limited_orders> border_{};
+  std::vector<std::array<std::size_t, limited_orders>> border_;  // shared variables of peaks by group and order
+  std::array<std::size_t, limited_orders> any_{};  // the sum of an order's peaks, where there are several groups
   double node_unit_[3];
   double scale_ = 0;
   std::vector<bool> pinned_;  // whether each variable is pinned to 0

@@ -51,6 +51,48 @@ TEST(OptimalLaw, WithoutDegreeItComesWithinAHundredthOfAllLaws) {
   EXPECT_EQ(law.solution.law.pieces(), static_cast<std::size_t>(law.pieces));
 }
 
+TEST(OptimalLaw, AWeightedSectionBetweenRestsHasItsOwnOptimum) {
+  SilentProgress progress;
+  const auto alone = [&](double angle) {
+    MotionLawProblem problem = testing::rest_to_rest(30, angle / 360);
+    problem.objective.weight = {0, 1, 0.05, 0.001};
+    problem.degree = 7;
+    return plan_optimal_law(problem, progress).solution;
+  };
+  const LawSolution rise = alone(60), back = alone(300);
+  MotionLawProblem both = testing::rest_to_rest(30, 1);
+  both.objective.weight = {0, 1, 0.05, 0.001};
+  both.length = 360;
+  both.degree = 7;
+  both.points[1].at = {60, 60};
+  both.points.push_back(both.points[0]);
+  both.points[2].at = {360, 360};
+  for (const double weight : {0.01, 1.0, 100.0}) {
+    both.points[1].weight = weight;
+    const LawSolution law = plan_optimal_law(both, progress).solution;
+    const double sum = rise.value.objective + weight * back.value.objective;
+    EXPECT_NEAR(law.value.objective, sum, 1e-7 * sum) << weight;
+    EXPECT_LE(law.bound->objective, law.value.objective);
+    EXPECT_GE(law.bound->objective, 0.9 * law.value.objective);
+  }
+}
+
+TEST(OptimalLaw, WithWeightsItIsNotWorseThanTheLawWithoutAndKeepsItsBound) {
+  SilentProgress progress;
+  Random random(11);
+  for (int k = 0; k < 5; ++k) {
+    MotionLawProblem problem = testing::random_problem(random);
+    problem.degree = 7;
+    if (k == 4) problem.points[1].at.max += 5;
+    const LawSolution without = plan_optimal_law(problem, progress).solution;
+    for (std::size_t s = 0; s < problem.sections(); s += 2) problem.points[s].weight = random.uniform(0.2, 5);
+    const LawSolution with = plan_optimal_law(problem, progress).solution;
+    EXPECT_LE(with.value.objective, evaluate_objective(problem, without.law).objective * (1 + 1e-6));
+    EXPECT_LE(with.bound->objective, *with.lower * (1 + 1e-9));
+    EXPECT_GT(with.bound->objective, 0.5 * with.value.objective);
+  }
+}
+
 TEST(OptimalLaw, OvershootIsNotedWithTheLimitThatPreventsIt) {
   SilentProgress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
