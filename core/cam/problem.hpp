@@ -77,6 +77,12 @@ struct PeakGroups {
   double least_weight() const { return *std::min_element(weight.begin(), weight.end()); }
 };
 
+/// A limit of the force or torque that a load takes, Σ factor[r] s^(r), r = 0 … 2.
+struct EffortLimit {
+  std::array<double, 3> factor{};
+  Range range;
+};
+
 enum class LawMethod { active_set, optimal };
 
 struct MotionLawProblem {
@@ -91,6 +97,7 @@ struct MotionLawProblem {
   std::optional<int> degree;  ///< `optimal` alone; none: degree and pieces as the bound asks
   int pieces = 1;             ///< `optimal` cuts each section into so many
   std::optional<DriveLimits> drive;
+  std::optional<EffortLimit> effort;  ///< in a given cycle, all over the sections without a classical law; `optimal`
   std::vector<VibrationMode> vibration;
   std::uint64_t seed = 1;
 

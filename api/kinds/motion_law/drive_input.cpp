@@ -101,14 +101,21 @@ class Reader {
       return;
     }
     const cam::LinearLoad load = cam::linear_load(*out_.load);
+    if (out_.load->spring != 0 || out_.load->damping != 0) {
+      const double room = out_.limits.peak - load.friction;
+      if (!(room > 0))
+        add("drive", member, "is taken by the friction alone");
+      else if (planned)
+        problem_.effort = {{load.position, load.velocity, load.acceleration},
+                           {-room - load.constant, room - load.constant}};
+      return;
+    }
     const Range within = cam::acceleration_within(load, out_.limits.peak);
     if (!(within.min < 0 && within.max > 0)) {
       add("drive", member, "is taken by the constant force and friction alone");
       return;
     }
-    if (out_.load->spring != 0 || out_.load->damping != 0) {
-      notes_.push_back(std::string("drive.") + member + " is checked, not planned for: a load with spring or damping");
-    } else if (problem_.cycle_duration) {
+    if (problem_.cycle_duration) {
       if (planned) narrow(2, within, member);
     } else {
       if (!problem_.drive) problem_.drive.emplace();
@@ -128,6 +135,8 @@ class Reader {
 std::vector<InputFault> blamed_on_drive(const std::vector<InputFault>& faults, const DriveRequest& drive) {
   std::vector<InputFault> out;
   for (InputFault fault : faults) {
+    if (fault.place == std::vector<std::string>{"drive", "effort"} && drive.load)
+      fault.place[1] = drive.load->turns() ? "torque" : "force";
     for (std::size_t order = 1; order < 4; ++order) {
       const char* member = drive.section_limits[order];
       if (member && fault.place.size() > 3 && fault.place[2] == "section" && fault.place[3] == order_names[order])

@@ -118,11 +118,19 @@ void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::v
                           : "this range cannot be reached together with the other conditions named here for " + degree +
                                 ": " + advice + (advice.empty() ? "" : "or ") + "widen it"});
   }
-  for (const auto& [section, order] : conflict.limits)
+  for (const auto& [section, order] : conflict.limits) {
+    if (order == effort_order) {
+      faults.push_back({{"drive", "effort"},
+                        "no law of " + degree + " keeps this limit in section " + std::to_string(section) +
+                            " together with the other conditions named here: " + advice +
+                            (advice.empty() ? "" : "or ") + "give the motion more time"});
+      continue;
+    }
     faults.push_back({{"points", std::to_string(section), "section", order_names[order]},
                       "no law of " + degree +
                           " keeps this limit all over the section together with the other conditions named here: " +
                           advice + (advice.empty() ? "" : "or ") + "widen it"});
+  }
   std::sort(faults.begin(), faults.end(), [](const InputFault& a, const InputFault& b) { return a.place < b.place; });
   if (faults.empty())
     faults.push_back({{"degree"},

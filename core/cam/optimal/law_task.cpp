@@ -154,6 +154,14 @@ LawTask make_law_task(const MotionLawProblem& problem) {
   const std::array<double, limited_orders> weight = effective_weights(problem);
   for (int r = 1; r < limited_orders; ++r)
     task.weight[static_cast<std::size_t>(r)] = weight[static_cast<std::size_t>(r)] / task.to_task(r);
+  if (problem.effort) {
+    const double half = (problem.effort->range.max - problem.effort->range.min) / 2;
+    const double origin = problem.effort->factor[0] * task.origin;
+    task.effort.emplace();
+    for (std::size_t r = 0; r < 3; ++r)
+      task.effort->factor[r] = problem.effort->factor[r] / task.to_task(static_cast<int>(r)) / half;
+    task.effort->range = {(problem.effort->range.min - origin) / half, (problem.effort->range.max - origin) / half};
+  }
   std::vector<std::size_t> still;
   for (std::size_t i = 0; i < problem.points.size(); ++i)
     if (problem.points[i].still) still.push_back(i);

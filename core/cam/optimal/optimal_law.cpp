@@ -223,7 +223,8 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
                               ? problem.points[i].at.min
                               : problem.points.front().at.min + spline.breaks[i] * problem.length / task.cycle);
   solution.value = evaluate_objective(problem, solution.law);
-  if (candidate && !task.free_angles() && !shortest && has_degree(candidate->law, task, chosen.degree))
+  if (candidate && !task.free_angles() && !shortest && !problem.effort &&
+      has_degree(candidate->law, task, chosen.degree))
     if (const LawValue value = evaluate_objective(problem, candidate->law);
         value.objective < solution.value.objective * (1 - (problem.objective.then_order > 0 ? 1e-8 : 1e-12))) {
       solution.law = candidate->law;

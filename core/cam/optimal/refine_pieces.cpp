@@ -6,8 +6,9 @@
 namespace bahnwerk::cam {
 namespace {
 
-constexpr double change = 0.1;   // part of the largest jerk by which it changes at a piece that is halved
-constexpr double hidden = 1e-6;  // part of a usual derivative that rounding may hide in a piece
+constexpr double change = 0.1;       // part of the largest jerk by which it changes at a piece that is halved
+constexpr double hidden = 1e-6;      // part of a usual derivative that rounding may hide in a piece
+constexpr double least_ramp = 1e-3;  // share of a section below which no piece is halved where no jerk is limited
 constexpr std::size_t jerk_order = 3;
 
 struct PieceJerk {
@@ -39,7 +40,7 @@ LawBasis halve_at_changes(const LawTask& task, const LawBasis& basis, const Spli
     jerk.push_back(jerk_of(task, basis, spline, s));
     for (const PieceJerk& each : jerk.back()) peak = std::max({peak, each.highest, -each.lowest});
   }
-  const double least = change * peak;
+  const double least = change * peak, shortest = task.weight[jerk_order] > 0 ? 0 : least_ramp;
   std::vector<std::vector<double>> breaks;
   for (std::size_t s = 0; s < task.sections(); ++s) {
     const SectionBasis& own = basis.section(s);
@@ -49,7 +50,8 @@ LawBasis halve_at_changes(const LawTask& task, const LawBasis& basis, const Spli
     breaks.push_back({0});
     for (std::size_t i = 0; i < own.pieces(); ++i) {
       const double half = own.length(i) / 2;
-      if (!jerk[s].empty() && published_rounding(task, static_cast<int>(own.degree()), length * half, order) <= most) {
+      if (!jerk[s].empty() && half >= shortest &&
+          published_rounding(task, static_cast<int>(own.degree()), length * half, order) <= most) {
         const PieceJerk& here = jerk[s][i];
         const double before = i > 0 ? std::abs(here.first - jerk[s][i - 1].last) : 0;
         const double behind = i + 1 < own.pieces() ? std::abs(jerk[s][i + 1].first - here.last) : 0;

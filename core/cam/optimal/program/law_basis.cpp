@@ -18,7 +18,7 @@ double published_rounding(const LawTask& task, int degree, double length, int or
 }
 
 int kept_order(const LawTask& task, std::size_t section) {
-  int order = 1;
+  int order = task.effort ? 2 : 1;
   for (int r = 1; r < limited_orders; ++r)
     if (task.weight[static_cast<std::size_t>(r)] > 0 || !task.limits[section][static_cast<std::size_t>(r)].free())
       order = std::max(order, r);

@@ -26,6 +26,8 @@ class Progress;
 }
 namespace bahnwerk::cam {
 
+inline constexpr int effort_order = max_degree + 1;  ///< the order of samples of LawTask::effort
+
 /// A limit at a point of a section: the peak of an order, or the section's own limit.
 struct LawSample {
   std::size_t section, piece;
@@ -71,7 +73,7 @@ struct LawConflict {
   bool values = false;                  ///< values and continuity alone contradict each other
   double violation = 0;                 ///< the least that ranges and limits have to give way, in the orders' units
   std::vector<std::size_t> conditions;  ///< numbers in LawTask::conditions
-  std::vector<std::pair<std::size_t, int>> limits;  ///< numbers of sections, and orders
+  std::vector<std::pair<std::size_t, int>> limits;  ///< numbers of sections, and orders or effort_order
 };
 
 class SplineProgram {
@@ -115,6 +117,8 @@ class SplineProgram {
                               std::vector<double>& out) const;
   bool known_at(bool end, std::size_t section, int order) const;
   double limit_weights(const LawSample& at, std::vector<double>& out) const;
+  Range limit_of(std::size_t section, int order) const;
+  double unit_of(int order) const { return order == effort_order ? 1 : unit_[static_cast<std::size_t>(order)]; }
   std::vector<double> derivative(std::size_t section, std::size_t piece, int order) const;
   std::vector<double> coefficients(const std::vector<double>& x) const;
   std::vector<double> variables(const std::vector<double>& coefficients) const;

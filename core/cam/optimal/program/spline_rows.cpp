@@ -8,9 +8,19 @@
 
 namespace bahnwerk::cam {
 
-/// Writes the weights with which the variables of a section enter s^(order) at v of a piece.
+/// Writes the weights with which the variables of a section enter s^(order), or the effort, at v of a piece.
 void SplineProgram::law_weights(std::size_t section, std::size_t piece, double v, int order,
                                 std::vector<double>& out) const {
+  if (order == effort_order) {
+    std::vector<double> part;
+    out.assign(basis_.section(section).size(), 0);
+    for (int r = 0; r < 3; ++r) {
+      law_weights(section, piece, v, r, part);
+      for (std::size_t k = 0; k < out.size(); ++k)
+        out[k] += task_.effort->factor[static_cast<std::size_t>(r)] * part[k];
+    }
+    return;
+  }
   const SectionBasis& basis = basis_.section(section);
   out.resize(basis.size());
   basis.weights(piece, v, static_cast<std::size_t>(order), out.data());
@@ -297,8 +307,7 @@ void SplineProgram::add_rows() {
   add_floors();
   for (const Sampled& sampled : samples_) {
     const LawSample& at = sampled.sample;
-    const auto r = static_cast<std::size_t>(at.order);
-    double known = 0, scale = at.limit ? unit_[r] : peak_unit(at.section, at.order);
+    double known = 0, scale = at.limit ? unit_of(at.order) : peak_unit(at.section, at.order);
     if (at.limit) {
       known = limit_weights(at, weights);
       double most = 0;
@@ -311,14 +320,22 @@ void SplineProgram::add_rows() {
     BorderedRow row;
     set_row(at.section, weights, row);
     times.clear();
-    add_time_terms(at.section, weights, at.order, 1, times);
+    if (at.order == effort_order) {
+      std::vector<double> part;
+      for (int r = 1; r < 3 && reference_; ++r) {
+        law_weights(at.section, at.piece, at.v, r, part);
+        add_time_terms(at.section, part, r, task_.effort->factor[static_cast<std::size_t>(r)] / scale, times);
+      }
+    } else {
+      add_time_terms(at.section, weights, at.order, 1, times);
+    }
     row.border = times;
     if (at.limit) {
-      const Range& limit = task_.limits[at.section][r];
+      const Range limit = limit_of(at.section, at.order);
       row.lower = (limit.min - known) / scale;
       row.upper = (limit.max - known) / scale;
       row.elastic = give_;
-      row.elastic_weight = unit_[r] / scale;
+      row.elastic_weight = unit_of(at.order) / scale;
     } else {
       row.lower = row.upper = 0;
       row.elastic = peak_border(at.section, at.order);

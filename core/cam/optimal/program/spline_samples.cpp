@@ -15,17 +15,35 @@ namespace {
 constexpr double significant = 0.01;  // part of the largest multiplier of a section that makes a contact
 constexpr double near_peak = 0.9;     // extrema above this part of a peak become sample points
 
+/// Writes a polynomial in Bernstein form with one degree more.
+void raise_degree(std::vector<double>& b) {
+  const double degree = static_cast<double>(b.size());
+  b.push_back(b.back());
+  for (std::size_t k = b.size() - 2; k > 0; --k) {
+    const double share = static_cast<double>(k) / degree;
+    b[k] = share * b[k - 1] + (1 - share) * b[k];
+  }
+}
+
 }  // namespace
+
+/// Returns the limit of a derivative, or of the effort, in a section.
+Range SplineProgram::limit_of(std::size_t section, int order) const {
+  if (order == effort_order) return task_.effort ? task_.effort->range : Range{};
+  return task_.limits[section][static_cast<std::size_t>(order)];
+}
 
 void SplineProgram::initial_samples() {
   samples_.clear();
   const std::size_t n = basis_.degree();
   for (std::size_t section = 0; section < task_.sections(); ++section)
-    for (int r = 0; r < limited_orders && !task_.is_given(section); ++r) {
-      const Range& limit = task_.limits[section][static_cast<std::size_t>(r)];
-      const bool peak = r > 0 && counted(r), limited = !limit.free() && !limit.fixed();
+    for (const int r : {0, 1, 2, 3, effort_order}) {
+      if (task_.is_given(section)) break;
+      const Range limit = limit_of(section, r);
+      const bool peak = r > 0 && r < limited_orders && counted(r), limited = !limit.free() && !limit.fixed();
       if (!peak && !limited) continue;
-      const std::size_t degree = n > static_cast<std::size_t>(r) ? n - static_cast<std::size_t>(r) : 0;
+      const auto order = static_cast<std::size_t>(r);
+      const std::size_t degree = r == effort_order ? n : n > order ? n - order : 0;
       const std::size_t count = degree > 0 ? degree + 2 : 1;
       for (std::size_t piece = 0; piece < basis_.section(section).pieces(); ++piece)
         for (std::size_t k = 0; k < count; ++k) {
@@ -39,8 +57,18 @@ void SplineProgram::initial_samples() {
     }
 }
 
-/// Returns the Bernstein coefficients of s^(order) on a piece of the current law; order ≤ 3.
+/// Returns the Bernstein coefficients of s^(order), order ≤ 3, or of the effort on a piece of the current law.
 std::vector<double> SplineProgram::derivative(std::size_t section, std::size_t piece, int order) const {
+  if (order == effort_order) {
+    std::vector<double> sum(basis_.degree() + 1, 0);
+    for (int r = 0; r < 3; ++r) {
+      std::vector<double> part = derivative(section, piece, r);
+      while (part.size() < sum.size()) raise_degree(part);
+      for (std::size_t k = 0; k < sum.size(); ++k)
+        sum[k] += task_.effort->factor[static_cast<std::size_t>(r)] * part[k];
+    }
+    return sum;
+  }
   const SectionBasis& basis = basis_.section(section);
   std::vector<double> c(point_.x.begin() + static_cast<std::ptrdiff_t>(basis_.first(section)),
                         point_.x.begin() + static_cast<std::ptrdiff_t>(basis_.first(section + 1)));
@@ -63,12 +91,15 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
     peak = std::max(peak, floor.peak);
   }
   for (std::size_t section = 0; section < task_.sections(); ++section)
-    for (int order = 0; order < limited_orders && !task_.is_given(section); ++order) {
+    for (const int order : {0, 1, 2, 3, effort_order}) {
+      if (task_.is_given(section)) break;
       const auto r = static_cast<std::size_t>(order);
-      const Range& limit = task_.limits[section][r];
-      const bool peak = order > 0 && counted(order);
+      const Range limit = limit_of(section, order);
+      const double unit = unit_of(order);
+      const bool peak = order > 0 && order < limited_orders && counted(order);
       if (!peak && limit.free()) continue;
-      double& largest = result.group_peaks[task_.groups.of_section[section]][r];
+      double none = 0;
+      double& largest = peak ? result.group_peaks[task_.groups.of_section[section]][r] : none;
       for (std::size_t piece = 0; piece < basis_.section(section).pieces(); ++piece) {
         const std::vector<double> b = derivative(section, piece, order);
         double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
@@ -95,7 +126,7 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
             if (peak && std::abs(each.value) > near_peak * last_peak && !shared_begin(peak_sample))
               found_.push_back(peak_sample);
             if (limit.fixed()) continue;
-            if ((each.value > limit.max - 1e-3 * unit_[r] || each.value < limit.min + 1e-3 * unit_[r]) &&
+            if ((each.value > limit.max - 1e-3 * unit || each.value < limit.min + 1e-3 * unit) &&
                 !pinned(limit_sample)) {
               found_.push_back(limit_sample);
               // Near an end of the section each further extremum is nearer by half: samples are placed ahead of it.
@@ -108,8 +139,7 @@ void SplineProgram::evaluate(SplineResult& result, bool enclosed) {
           }
         }
         if (!limit.free())
-          result.violation =
-              std::max({result.violation, (highest - limit.max) / unit_[r], (limit.min - lowest) / unit_[r]});
+          result.violation = std::max({result.violation, (highest - limit.max) / unit, (limit.min - lowest) / unit});
       }
     }
   result.limit_violation = result.violation;

@@ -146,6 +146,45 @@ TEST(OptimalLaw, FaultsNameTheirPlace) {
   EXPECT_EQ(place_of(problem), std::vector<std::string>{});
 }
 
+double largest_effort(const EffortLimit& effort, const CamLaw& law) {
+  double most = 0;
+  for (int k = 0; k <= 2000; ++k) {
+    const double t = law.begin() + (law.breaks().back() - law.begin()) * k / 2000;
+    double sum = 0;
+    for (int r = 0; r < 3; ++r) sum += effort.factor[static_cast<std::size_t>(r)] * law.evaluate(t, r);
+    most = std::max(most, std::abs(sum));
+  }
+  return most;
+}
+
+/// A mass on a spring with a damper: the force is linear in the law, at angles that are free, too.
+TEST(OptimalLaw, TheForceOfAMassWithSpringAndDamperHoldsAllOver) {
+  SilentProgress progress;
+  MotionLawProblem problem = testing::rest_to_rest(40, 0.4);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(45, {testing::fixed(18)}));
+  problem.degree = 5;
+  problem.pieces = 6;
+  for (const bool free : {false, true}) {
+    if (free) problem.points[1].at = {40, 50};
+    problem.effort.reset();
+    const OptimalLaw without = plan_optimal_law(problem, progress, nullptr);
+    EffortLimit effort{{2, 0.3, 0.02}, {}};
+    const double limit = 0.97 * largest_effort(effort, without.solution.law);
+    effort.range = {-limit, limit};
+    problem.effort = effort;
+    const OptimalLaw within = plan_optimal_law(problem, progress, nullptr);
+    EXPECT_LE(largest_effort(effort, within.solution.law), limit * (1 + 1e-8));
+    EXPECT_GE(within.solution.value.objective, without.solution.value.objective * (1 - 1e-6));
+  }
+  problem.effort->range = {-70, 70};  // the spring alone takes 80 at the end
+  try {
+    plan_optimal_law(problem, progress, nullptr);
+    FAIL() << "no law keeps this";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.faults.front().place, (std::vector<std::string>{"drive", "effort"}));
+  }
+}
+
 TEST(OptimalLaw, TheDriveDecidesWhereTheCycleHasNoDuration) {
   SilentProgress progress;
   MotionLawProblem problem = testing::rest_to_rest(40, 1);
