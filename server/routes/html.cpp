@@ -16,22 +16,33 @@ constexpr std::string_view style =
     "thead th{border-bottom:2px solid #98a3b3}th.n,td.n{text-align:right}td.n{font-variant-numeric:tabular-nums}"
     "td.k,.state{white-space:nowrap}figure{display:inline-block;margin:0 1rem 1rem 0}"
     "code{font-family:ui-monospace,monospace;font-size:.9em}"
-    "nav{margin:-.5rem 0 1rem}.scroll{overflow-x:auto}"
+    "nav{margin:-.5rem 0 1rem}.scroll{overflow-x:auto}.lead{font-size:1.15rem}"
+    "meter{width:8rem;vertical-align:middle}details{margin:.6rem 0}summary{cursor:pointer}"
     ".state{display:inline-block;padding:0 .5rem;border-radius:.3rem;background:#e4e8ee}"
     ".succeeded{background:#d3ecd6;color:#0d4d19}.failed{background:#f9d9d6;color:#7d1109}"
     ".running{background:#d8e7f8;color:#0b3f77}"
     ".error{border-left:4px solid #b3261e;padding:.1rem 1rem;background:#fdf3f2}"
     "img{max-width:100%;max-height:80vh;border:1px solid #d5dae1;background:#fff}progress{width:100%;height:1.2rem}";
 
-/// The style's hash permits it under the policy without 'unsafe-inline'.
-std::string policy() {
+/// The time in UTC stays as the tooltip.
+constexpr std::string_view script =
+    "for(const t of document.querySelectorAll('time'))"
+    "{t.title=t.textContent;t.textContent=new Date(t.dateTime).toLocaleString()}";
+
+/// Returns the source expression that permits an inline text without 'unsafe-inline'.
+std::string hash_source(std::string_view text) {
   unsigned char digest[EVP_MAX_MD_SIZE];
   unsigned int size = 0;
-  EVP_Digest(style.data(), style.size(), digest, &size, EVP_sha256(), nullptr);
+  EVP_Digest(text.data(), text.size(), digest, &size, EVP_sha256(), nullptr);
   unsigned char base64[64] = {};
   EVP_EncodeBlock(base64, digest, static_cast<int>(size));
-  return "default-src 'none'; img-src 'self'; style-src 'sha256-" + std::string(reinterpret_cast<const char*>(base64)) +
-         "'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
+  return "'sha256-" + std::string(reinterpret_cast<const char*>(base64)) + "'";
+}
+
+std::string policy(bool scripted) {
+  return "default-src 'none'; img-src 'self'; style-src " + hash_source(style) +
+         (scripted ? "; script-src " + hash_source(script) : "") +
+         "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
 }
 
 }  // namespace
@@ -77,16 +88,19 @@ std::string prose_html(std::string_view text) {
 }
 
 Response html_page(std::string_view title, std::string_view body, int refresh) {
-  static const std::string content_policy = policy();
+  static const std::string plain_policy = policy(false), scripted_policy = policy(true);
+  const bool scripted = body.find("<time ") != std::string_view::npos;
   std::string page =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\">";
   if (refresh > 0) page += "<meta http-equiv=\"refresh\" content=\"" + std::to_string(refresh) + "\">";
   page += "<title>" + escape_html(title) + "</title><style>";
   page.append(style).append("</style></head><body>\n<h1>").append(escape_html(title)).append("</h1>\n");
-  page.append(body).append("</body></html>\n");
+  page.append(body);
+  if (scripted) page.append("<script>").append(script).append("</script>");
+  page.append("</body></html>\n");
   Response response = text_answer(200, "text/html; charset=utf-8", std::move(page));
-  response.set("Content-Security-Policy", content_policy);
+  response.set("Content-Security-Policy", scripted ? scripted_policy : plain_policy);
   return response;
 }
 

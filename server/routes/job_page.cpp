@@ -11,14 +11,17 @@
 
 #include "api/kind.hpp"
 #include "api/problem.hpp"
-#include "api/setpoints/result_units.hpp"
 #include "api/setpoints/setpoints.hpp"
 #include "api/text/json_member.hpp"
 #include "api/text/pointer.hpp"
+#include "api/views/limits_answer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/uri.hpp"
+#include "server/routes/blocks.hpp"
 #include "server/routes/html.hpp"
+#include "server/routes/result_html.hpp"
+#include "server/routes/stored_series.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -87,37 +90,6 @@ class Drawing {
   std::string piece_, pending_;
 };
 
-/// Returns a number with six significant digits; the exact value is in the result.
-std::string number(double value) {
-  if (std::abs(value) >= 1e6 || (value != 0 && std::abs(value) < 1e-4)) {
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 3).ptr;
-    return {text.data(), end};
-  }
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr;
-  return {text.data(), end};
-}
-
-/// Returns a member's name as a page shows it.
-std::string shown_name(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return escape_html(name);
-}
-
-/// Returns a table of `part`, summary or bound, of a kind's result, with the units of the kind's schema.
-std::string rows_of(const ordered_json& object, const std::string& kind, std::string_view part) {
-  std::string rows;
-  if (!object.is_object()) return rows;
-  for (const auto& [key, value] : object.items()) {
-    const std::string unit = value.is_number() || value.is_object() ? api::result_unit(kind, part, key) : std::string();
-    rows += "<tr><th>" + shown_name(key) + "</th><td>" + shown_value(value);
-    if (!unit.empty()) rows.append(" ").append(unit);
-    rows += "</td></tr>\n";
-  }
-  return rows;
-}
-
 std::string failure(const api::Job& job) {
   const ordered_json error = ordered_json::parse(job.error.value_or("{}"), nullptr, false);
   if (!error.is_object() || error.empty()) return "";
@@ -135,20 +107,6 @@ std::string failure(const api::Job& job) {
     if (type == "/problems/" + std::string(each.slug))
       text += "<p>" + prose_html(each.advice) + " <a href=\"" + type + "\">" + std::string(each.slug) + "</a></p>\n";
   return text + "</div>\n";
-}
-
-std::string verification(const ordered_json& verdict) {
-  if (!verdict.is_object() || !verdict.contains("checks")) return "";
-  std::string text = "<h2>Verification: " + std::string(verdict.value("passed", false) ? "passed" : "failed") +
-                     "</h2>\n<div class=\"scroll\"><table><thead><tr><th>check</th><th class=\"n\">value</th><th "
-                     "class=\"n\">limit</th>"
-                     "<th>unit</th><th class=\"n\">at</th><th></th></tr></thead>\n";
-  for (const auto& check : verdict["checks"])
-    text += "<tr><td>" + shown_value(check["name"]) + "</td><td class=\"n\">" + shown_value(check["value"]) +
-            "</td><td class=\"n\">" + shown_value(check["limit"]) + "</td><td>" + shown_value(check["unit"]) +
-            "</td><td class=\"n\">" + shown_value(check["at"]) + "</td><td>" +
-            (check.value("passed", false) ? "passed" : "<strong>failed</strong>") + "</td></tr>\n";
-  return text + "</table></div>\n";
 }
 
 /// Returns the media type of a drawing by its name.
@@ -214,19 +172,38 @@ std::string facts(const api::Job& job) {
   return "<table>\n" + rows + "</table>\n";
 }
 
-std::string body(const api::Job& job, const ordered_json& result) {
+/// Returns what limits the motion, and of contours the lines, or blocks, that lose most time. Nothing where the series
+/// has no views yet: those are made by reading all rows.
+std::string limits_and_blocks(Context& context, const api::Job& job) {
+  constexpr std::size_t slowest = 5;
+  const auto info = context.store.series(job.id);
+  if (!info || info->views != api::views_version) return "";
+  const api::SetpointSeries series = stored_series(context.store, *info);
+  api::LimitsReader limits(series.view, info->count);
+  std::string text = largest_limits(api::limits_answer(limits, info->count, info->cycle_time, {}));
+  const auto table = api::read_segments(series.view);
+  if (!table) return text;
+  const api::BlockQuery query{.by = table->program ? api::ListedBy::line : api::ListedBy::block,
+                              .sort = api::ListOrder::lost,
+                              .count = slowest};
+  return text + slowest_blocks(blocks_answer(context.store, job.id, series, *table, query));
+}
+
+std::string body(Context& context, const api::Job& job, const ordered_json& result) {
   const std::string page = "/jobs/" + job.id;
-  std::string text = "<nav><a href=\"/\">all jobs</a></nav>\n" + failure(job) + facts(job);
+  std::string text = "<nav><a href=\"/\">all jobs</a></nav>\n";
+  text += result.is_object()
+              ? verdict_line(result)
+              : "<p class=\"lead\">" + state_label(job) + " · " + escape_html(job.request.kind) + "</p>\n";
+  text += failure(job);
   if (job.state == api::JobState::running)
-    text += "<p><progress max=\"1\" value=\"" + number(job.fraction) + "\"></progress><br>" + escape_html(job.stage) +
-            " " + escape_html(job.message) + "</p>\n";
+    text += "<p><progress max=\"1\" value=\"" + shown_value(job.fraction) + "\"></progress><br>" +
+            escape_html(job.stage) + " " + escape_html(job.message) + "</p>\n";
   if (result.is_object()) {
     const ordered_json details = result.value("details", ordered_json::object());
-    text += drawings(page, details);
-    text += "<h2>Summary</h2>\n<table>\n" +
-            rows_of(result.value("summary", ordered_json()), job.request.kind, "summary") + "</table>\n";
-    if (result.contains("bound"))
-      text += "<h2>Bound</h2>\n<table>\n" + rows_of(result["bound"], job.request.kind, "bound") + "</table>\n";
+    text += limits_and_blocks(context, job) + drawings(page, details);
+    text += "<h2>Summary</h2>\n" + figures(result.value("summary", ordered_json()), job.request.kind, "summary");
+    if (result.contains("bound")) text += "<h2>Bound</h2>\n" + figures(result["bound"], job.request.kind, "bound");
     if (details.contains("notes") && !details["notes"].empty()) {
       text += "<h2>Notes</h2>\n<ul>";
       for (const auto& note : details["notes"]) text += "<li>" + shown_value(note) + "</li>";
@@ -234,7 +211,8 @@ std::string body(const api::Job& job, const ordered_json& result) {
     }
     text += verification(result.value("verification", ordered_json()));
   }
-  return text + downloads("/v1/jobs/" + job.id, page, result);
+  text += "<h2>Job</h2>\n" + facts(job);
+  return text + downloads("/v1/jobs/" + job.id, page, job.state == api::JobState::succeeded ? result : ordered_json());
 }
 
 Response uncached(Response response) {
@@ -244,27 +222,9 @@ Response uncached(Response response) {
 
 }  // namespace
 
-std::string shown_value(const ordered_json& value) {
-  if (value.is_number_float()) return number(value.get<double>());
-  if (value.is_string()) return escape_html(value.get<std::string>());
-  if (value.is_null()) return "–";
-  std::string list;
-  if (value.is_object()) {
-    for (const auto& [key, member] : value.items())
-      list += (list.empty() ? "" : ", ") + shown_name(key) + " " + shown_value(member);
-    return list;
-  }
-  if (value.is_array()) {
-    for (const ordered_json& entry : value) list += (list.empty() ? "" : "<br>") + shown_value(entry);
-    return list;
-  }
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  return escape_html(value.dump());
-}
-
 std::string time_label(std::int64_t ms) {
   const std::string text = api::rfc3339(ms);
-  return text.substr(0, 10) + " " + text.substr(11, 8) + " UTC";
+  return "<time datetime=\"" + text + "\">" + text.substr(0, 10) + " " + text.substr(11, 8) + " UTC</time>";
 }
 
 std::string state_label(const api::Job& job) {
@@ -282,10 +242,11 @@ Response job_page(Context& context, const Request& request) {
     throw api::Problem("not-acceptable", "This page comes as text/html.");
   const api::Job job = find_job(context, request.parameter("id"));
   ordered_json result;
-  if (job.state == api::JobState::succeeded)
+  // A plan that failed its verification has a result, too.
+  if (final(job))
     if (const auto text = context.store.open_result(job.id)) result = read_result(*text);
   const std::string title = job.request.name && !job.request.name->empty() ? *job.request.name : "Job " + job.id;
-  return uncached(html_page(title, body(job, result), final(job) ? 0 : 2));
+  return uncached(html_page(title, body(context, job, result), final(job) ? 0 : 2));
 }
 
 Response drawing(Context& context, const Request& request) {

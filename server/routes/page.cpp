@@ -7,16 +7,30 @@
 #include "server/routes/context.hpp"
 #include "server/routes/html.hpp"
 #include "server/routes/job_page.hpp"
+#include "server/routes/result_html.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
-std::string row(const api::Job& job) {
+/// Returns the duration of the planned motion, in whole cycles; "" where there is none. It is known without the result.
+std::string motion_duration(Context& context, const api::Job& job) {
+  if (job.state != api::JobState::succeeded) return "";
+  const auto info = context.store.series(job.id);
+  return info && info->count > 0 ? duration_label(static_cast<double>(info->count - 1) * info->cycle_time) : "";
+}
+
+std::string planning_duration(const api::Job& job) {
+  if (!job.started_at || !job.finished_at) return "";
+  return duration_label(static_cast<double>(*job.finished_at - *job.started_at) * 1e-3);
+}
+
+std::string row(Context& context, const api::Job& job) {
   const std::string page = "/jobs/" + job.id, link = "/v1/jobs/" + job.id;
-  std::string text = "<tr><td class=\"k\"><a href=\"" + page + "\"><code>" + job.id + "</code></a></td><td>" +
-                     escape_html(job.request.name.value_or("")) + "</td><td>" + escape_html(job.request.kind) +
-                     "</td><td class=\"k\">" + state_label(job) + "</td><td class=\"k\">" + time_label(job.created_at) +
-                     "</td><td>";
+  const std::string named = escape_html(job.request.name.value_or(""));
+  std::string text = "<tr><td class=\"k\"><a href=\"" + page + "\"><code>" + job.id + "</code></a></td><td>" + named +
+                     "</td><td>" + escape_html(job.request.kind) + "</td><td class=\"k\">" + state_label(job) +
+                     "</td><td class=\"n k\">" + motion_duration(context, job) + "</td><td class=\"n k\">" +
+                     planning_duration(job) + "</td><td class=\"k\">" + time_label(job.created_at) + "</td><td>";
   if (job.state == api::JobState::succeeded) text += "<a href=\"" + link + "/result\">result</a>";
   return text + "</td></tr>\n";
 }
@@ -34,11 +48,12 @@ Response list_page(Context& context, const Request& request) {
       body += std::to_string(count) + " " + std::string(api::to_string(state)) + " · ";
   body +=
       "<a href=\"/v1/kinds\">kinds</a> · <a href=\"/openapi.json\">OpenAPI</a> · <a href=\"/metrics\">metrics</a></p>\n"
-      "<div class=\"scroll\"><table><thead><tr><th>job</th><th>name</th><th>kind</th><th>state</th><th>created</th>"
-      "<th></th></tr></thead>\n";
+      "<div class=\"scroll\"><table><thead><tr><th>job</th><th>name</th><th>kind</th><th>state</th><th "
+      "class=\"n\">motion</th><th "
+      "class=\"n\">planning</th><th>created</th><th></th></tr></thead>\n";
   for (auto& job : context.store.list(newest)) {
     context.live.overlay(job);
-    body += row(job);
+    body += row(context, job);
   }
   Response response = html_page("Bahnwerk", body + "</table></div>\n");
   response.set("Cache-Control", "no-store");

@@ -29,6 +29,17 @@ TEST(Html, APageEscapesItsTitleAndForbidsScripts) {
   EXPECT_EQ(policy.find("unsafe"), std::string::npos);
 }
 
+TEST(Html, OnlyAPageWithTimesHasAScriptAndThePolicyAllowsThatOneAlone) {
+  const Response page = html_page("a", "<time datetime=\"1970-01-01T00:00:00.000Z\">then</time>");
+  const std::string policy = page.header("Content-Security-Policy").value();
+  EXPECT_NE(policy.find("; script-src 'sha256-"), std::string::npos) << policy;
+  EXPECT_EQ(policy.find("unsafe"), std::string::npos) << policy;
+  const std::size_t script = page.body.find("<script>");
+  ASSERT_NE(script, std::string::npos);
+  EXPECT_EQ(page.body.find("<script", script + 1), std::string::npos);
+  EXPECT_EQ(html_page("a", "&lt;time ").body.find("<script"), std::string::npos);
+}
+
 TEST(Html, OnlyAPageThatWaitsReloadsItself) {
   EXPECT_EQ(html_page("a", "").body.find("http-equiv"), std::string::npos);
   EXPECT_NE(html_page("a", "", 2).body.find("http-equiv=\"refresh\" content=\"2\""), std::string::npos);
