@@ -15,19 +15,23 @@ constexpr std::string_view style =
     "th,td{text-align:left;vertical-align:top;padding:.3rem .6rem;border-bottom:1px solid #d5dae1}"
     "thead th{border-bottom:2px solid #98a3b3}th.n,td.n{text-align:right}td.n{font-variant-numeric:tabular-nums}"
     "td.k,.state{white-space:nowrap}figure{display:inline-block;margin:0 1rem 1rem 0}"
-    "code{font-family:ui-monospace,monospace;font-size:.9em}"
-    "nav{margin:-.5rem 0 1rem}.scroll{overflow-x:auto}.lead{font-size:1.15rem}"
+    "code{font-family:ui-monospace,monospace;font-size:.9em}td a code{font-size:.8em}"
+    "nav{margin:-.5rem 0 1rem}.scroll{overflow-x:auto}.lead{font-size:1.15rem}.lead strong{white-space:nowrap}"
     "meter{width:8rem;vertical-align:middle}details{margin:.6rem 0}summary{cursor:pointer}"
+    ".line{white-space:nowrap;max-width:24rem;overflow:hidden;text-overflow:ellipsis}"
     ".state{display:inline-block;padding:0 .5rem;border-radius:.3rem;background:#e4e8ee}"
     ".succeeded{background:#d3ecd6;color:#0d4d19}.failed{background:#f9d9d6;color:#7d1109}"
     ".running{background:#d8e7f8;color:#0b3f77}"
     ".error{border-left:4px solid #b3261e;padding:.1rem 1rem;background:#fdf3f2}"
-    "img{max-width:100%;max-height:80vh;border:1px solid #d5dae1;background:#fff}progress{width:100%;height:1.2rem}";
+    "img{max-width:100%;max-height:80vh;border:1px solid #d5dae1;background:#fff}progress{width:100%;height:1.2rem}"
+    "@media(max-width:40rem){body{margin:1rem auto}table{font-size:.9rem}th,td{padding:.3rem .25rem}"
+    "meter{width:3rem}.line{max-width:8rem}}";
 
 /// The time in UTC stays as the tooltip.
 constexpr std::string_view script =
     "for(const t of document.querySelectorAll('time'))"
-    "{t.title=t.textContent;t.textContent=new Date(t.dateTime).toLocaleString()}";
+    "{t.title=t.textContent;t.textContent=new "
+    "Date(t.dateTime).toLocaleString([],{dateStyle:'short',timeStyle:'medium'})}";
 
 /// Returns the source expression that permits an inline text without 'unsafe-inline'.
 std::string hash_source(std::string_view text) {

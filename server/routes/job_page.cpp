@@ -1,18 +1,14 @@
 #include "server/routes/job_page.hpp"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <istream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <streambuf>
 
 #include "api/kind.hpp"
 #include "api/problem.hpp"
 #include "api/setpoints/setpoints.hpp"
 #include "api/text/json_member.hpp"
+#include "api/text/json_parts.hpp"
 #include "api/text/pointer.hpp"
 #include "api/views/limits_answer.hpp"
 #include "server/http/accept.hpp"
@@ -28,37 +24,34 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Reads a stored text as a stream.
-class TextBuffer final : public std::streambuf {
- public:
-  explicit TextBuffer(StoredText& text) : text_(text) {}
-
- private:
-  int_type underflow() override {
-    piece_.clear();
-    if (!text_.next(piece_)) return traits_type::eof();
-    setg(piece_.data(), piece_.data(), piece_.data() + piece_.size());
-    return traits_type::to_int_type(piece_.front());
+/// Returns an object of strings without escaped names, with null in place of its values: long ones cost little.
+ordered_json names_alone(std::string_view text) {
+  ordered_json out = ordered_json::object();
+  for (std::size_t begin = text.find('"'), strings = 0; begin != text.npos; begin = text.find('"', begin)) {
+    std::size_t end = ++begin;
+    while ((end = text.find_first_of("\"\\", end)) != text.npos && text[end] == '\\') end += 2;
+    if (end == text.npos) break;
+    if (strings++ % 2 == 0) out[std::string(text.substr(begin, end - begin))] = nullptr;
+    begin = end + 1;
   }
-  StoredText& text_;
-  std::string piece_;
-};
+  return out;
+}
 
-/// Returns the result without the details, which a page does not show: they may have a hundred megabytes, and many
-/// times that when parsed. Drawings are null.
+/// Returns the members of the result that a page shows, drawings by their names. The others may have a hundred
+/// megabytes.
 ordered_json read_result(StoredText& text) {
-  int kept = 0;  // depth at which a member of details begins that is left out
-  bool drawings = false;
-  const auto filter = [&](int depth, ordered_json::parse_event_t event, ordered_json& value) {
-    const bool key = event == ordered_json::parse_event_t::key;
-    if (key && depth == 1) kept = value == "details";
-    if (key && depth == 2) drawings = kept && value == "drawings";
-    if (drawings && depth == 3 && event == ordered_json::parse_event_t::value) value = nullptr;
-    return !(kept && depth == 2 && key && value != "drawings" && value != "notes" && value != "method");
-  };
-  TextBuffer buffer(text);
-  std::istream stream(&buffer);
-  return ordered_json::parse(stream, filter, false);
+  api::JsonParts shown({"kind", "summary", "bound", "verification", "setpoints", "details.notes"});
+  api::JsonParts drawn({"details.drawings"});
+  std::string piece;
+  for (bool more = true, more_drawn = true; (more || more_drawn) && text.next(piece); piece.clear()) {
+    more = more && shown.take(piece);
+    more_drawn = more_drawn && drawn.take(piece);
+  }
+  ordered_json result = ordered_json::parse(shown.document(), nullptr, false);
+  constexpr std::string_view begin = R"({"details":{"drawings":{)";
+  if (const std::string drawings = drawn.document(); drawings.starts_with(begin))
+    result["details"]["drawings"] = names_alone(std::string_view(drawings).substr(begin.size()));
+  return result;
 }
 
 /// The string at /details/drawings/<name> of a stored result, in pieces.

@@ -26,11 +26,12 @@ std::string planning_duration(const api::Job& job) {
 
 std::string row(Context& context, const api::Job& job) {
   const std::string page = "/jobs/" + job.id, link = "/v1/jobs/" + job.id;
-  const std::string named = escape_html(job.request.name.value_or(""));
-  std::string text = "<tr><td class=\"k\"><a href=\"" + page + "\"><code>" + job.id + "</code></a></td><td>" + named +
-                     "</td><td>" + escape_html(job.request.kind) + "</td><td class=\"k\">" + state_label(job) +
-                     "</td><td class=\"n k\">" + motion_duration(context, job) + "</td><td class=\"n k\">" +
-                     planning_duration(job) + "</td><td class=\"k\">" + time_label(job.created_at) + "</td><td>";
+  const std::string name = job.request.name.value_or("");
+  std::string text = "<tr><td><a href=\"" + page + "\">" + (name.empty() ? "" : escape_html(name) + "<br>") + "<code>" +
+                     job.id + "</code></a></td><td>" + escape_html(job.request.kind) + "</td><td class=\"k\">" +
+                     state_label(job) + "</td><td class=\"n k\">" + motion_duration(context, job) +
+                     "</td><td class=\"n k\">" + planning_duration(job) + "</td><td>" + time_label(job.created_at) +
+                     "</td><td>";
   if (job.state == api::JobState::succeeded) text += "<a href=\"" + link + "/result\">result</a>";
   return text + "</td></tr>\n";
 }
@@ -48,7 +49,7 @@ Response list_page(Context& context, const Request& request) {
       body += std::to_string(count) + " " + std::string(api::to_string(state)) + " · ";
   body +=
       "<a href=\"/v1/kinds\">kinds</a> · <a href=\"/openapi.json\">OpenAPI</a> · <a href=\"/metrics\">metrics</a></p>\n"
-      "<div class=\"scroll\"><table><thead><tr><th>job</th><th>name</th><th>kind</th><th>state</th><th "
+      "<div class=\"scroll\"><table><thead><tr><th>job</th><th>kind</th><th>state</th><th "
       "class=\"n\">motion</th><th "
       "class=\"n\">planning</th><th>created</th><th></th></tr></thead>\n";
   for (auto& job : context.store.list(newest)) {

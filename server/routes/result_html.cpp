@@ -75,14 +75,14 @@ std::string with_unit(const ordered_json& value, const ordered_json& unit) {
 std::string check_table(const std::vector<const ordered_json*>& checks) {
   std::string text =
       "<div class=\"scroll\"><table><thead><tr><th>check</th><th>use</th><th class=\"n\">value</th><th "
-      "class=\"n\">limit</th><th class=\"n\">at</th><th></th></tr></thead>\n";
+      "class=\"n\">limit</th><th class=\"n\">at</th></tr></thead>\n";
   for (const ordered_json* check : checks) {
     const auto use = use_of(*check);
     text += "<tr><td>" + shown_value(member(*check, "name")) + "</td><td class=\"k\">" + (use ? bar(*use) : "–") +
-            "</td><td class=\"n k\">" + with_unit(member(*check, "value"), member(*check, "unit")) +
-            "</td><td class=\"n k\">" + with_unit(member(*check, "limit"), member(*check, "unit")) +
-            "</td><td class=\"n k\">" + with_unit(member(*check, "at"), member(*check, "at_unit")) + "</td><td>" +
-            (passed(*check) ? "passed" : "<strong>failed</strong>") + "</td></tr>\n";
+            (passed(*check) ? "" : " <strong>failed</strong>") + "</td><td class=\"n k\">" +
+            with_unit(member(*check, "value"), member(*check, "unit")) + "</td><td class=\"n k\">" +
+            with_unit(member(*check, "limit"), member(*check, "unit")) + "</td><td class=\"n k\">" +
+            with_unit(member(*check, "at"), member(*check, "at_unit")) + "</td></tr>\n";
   }
   return text + "</table></div>\n";
 }
@@ -179,7 +179,10 @@ std::string largest_limits(const ordered_json& limits) {
   std::vector<const ordered_json*> list;
   for (const ordered_json& limit : member(limits, "limits"))
     if (limit.value("share", 0.0) > 0) list.push_back(&limit);
-  if (list.empty()) return "";
+  // States without a limit, such as dwell, have no unit.
+  const bool limited = std::any_of(list.begin(), list.end(),
+                                   [](const ordered_json* limit) { return member(*limit, "unit").is_string(); });
+  if (!limited) return "";
   std::stable_sort(list.begin(), list.end(), [](const ordered_json* a, const ordered_json* b) {
     return a->value("share", 0.0) > b->value("share", 0.0);
   });
@@ -214,10 +217,10 @@ std::string slowest_blocks(const ordered_json& blocks) {
                      (program ? "<th>text</th>" : "<th>mode</th>") +
                      "<th class=\"n\">time</th><th class=\"n\">lost</th><th>limit</th></tr></thead>\n";
   for (const ordered_json& entry : list)
-    text += "<tr><td class=\"n\">" + shown_value(member(entry, by.c_str())) + "</td><td>" +
+    text += "<tr><td class=\"n\">" + shown_value(member(entry, by.c_str())) + "</td><td class=\"line\">" +
             (program ? "<code>" + shown_value(member(entry, "text")) + "</code>" : shown_value(member(entry, "mode"))) +
             "</td><td class=\"n k\">" + duration_label(entry.value("time", 0.0)) + "</td><td class=\"n k\">" +
-            duration_label(entry.value("lost", 0.0)) + "</td><td class=\"k\">" + shown_value(member(entry, "limit")) +
+            duration_label(entry.value("lost", 0.0)) + "</td><td>" + shown_value(member(entry, "limit")) +
             (member(entry, "limit").is_null() ? "" : " " + percent(entry.value("limit_share", 0.0))) + "</td></tr>\n";
   return text + "</table></div>\n";
 }

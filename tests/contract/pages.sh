@@ -104,7 +104,7 @@ hasnt 'http-equiv="refresh"'
 links 4
 
 page /
-has '<td class="n k">3.315 s</td><td class="n k">[0-9.]* s</td><td class="k"><time datetime='
+has '<td class="n k">3.315 s</td><td class="n k">[0-9.]* s</td><td><time datetime='
 for state in succeeded failed cancelled; do has "class=\"state $state\""; done
 links 8
 request GET /jobs/nobody
