@@ -194,6 +194,9 @@ std::string body(Context& context, const api::Job& job, const ordered_json& resu
             escape_html(job.stage) + " " + escape_html(job.message) + "</p>\n";
   if (result.is_object()) {
     const ordered_json details = result.value("details", ordered_json::object());
+    const ordered_json verdict = result.value("verification", ordered_json());
+    const bool failed = job.state == api::JobState::failed;  // then the checks say why, and come first
+    if (failed) text += verification(verdict);
     text += limits_and_blocks(context, job) + drawings(page, details);
     text += "<h2>Summary</h2>\n" + figures(result.value("summary", ordered_json()), job.request.kind, "summary");
     if (result.contains("bound")) text += "<h2>Bound</h2>\n" + figures(result["bound"], job.request.kind, "bound");
@@ -202,10 +205,10 @@ std::string body(Context& context, const api::Job& job, const ordered_json& resu
       for (const auto& note : details["notes"]) text += "<li>" + shown_value(note) + "</li>";
       text += "</ul>\n";
     }
-    text += verification(result.value("verification", ordered_json()));
+    if (!failed) text += verification(verdict);
   }
   text += "<h2>Job</h2>\n" + facts(job);
-  return text + downloads("/v1/jobs/" + job.id, page, job.state == api::JobState::succeeded ? result : ordered_json());
+  return text + downloads("/v1/jobs/" + job.id, page, result);
 }
 
 Response uncached(Response response) {
@@ -247,7 +250,7 @@ Response drawing(Context& context, const Request& request) {
   const std::string_view type = drawing_type(name);
   if (!negotiate(request.header("accept"), std::array{type}))
     throw api::Problem("not-acceptable", "This drawing comes as " + std::string(type) + ".");
-  const api::Job job = require_success(context, id);
+  const api::Job job = require_result(context, id);
   Response response = unless_known(request, content_etag(context, job, "drawing"), [&] {
     auto text = context.store.open_result(id);
     const auto drawing = text ? std::make_shared<Drawing>(std::move(text), name) : nullptr;

@@ -77,6 +77,18 @@ expect_header Content-Type image/svg+xml
 request GET "/jobs/$id/drawings/nothing.svg"
 expect_problem not-found 404
 
+# A plan that failed its verification says first which checks failed, and shows what it is all the same.
+jq '.spec.coil.turns = 1 | .spec.feed.interpolator = "taylor1"' "$examples/rotor_coil.json" >"$work/scatter.json"
+post "$work/scatter.json"
+await failed 120
+page "/jobs/$id"
+has '>not verified</strong> failed: setpoint [^·]* · winding · duration'
+has ' % <strong>failed</strong></td>'
+[[ $(grep -n 'Verification: failed' "$work/page" | cut -d: -f1) -lt $(grep -n '<h2>Drawings' "$work/page" | cut -d: -f1) ]] || fail "failed checks come first"
+has 'drawings/feed.svg'
+hasnt 'setpoints?'
+links 6
+
 snake 20000 '{"time_budget":0.5}' >"$work/budget.json"
 post "$work/budget.json"
 await failed
