@@ -48,8 +48,8 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
     : options_(options), time_(time), notifier_(time) {
   // The address first: whoever cannot have it must not leave a new database behind. Nobody is answered before start().
   const auto offload = [this](std::function<void()> work) { scans_->post(std::move(work)); };
-  const Handler handler = compose({request_id(), access_log(), audit(), count(metrics_), cors(hosts_),
-                                   pack_answers(offload), guard(), prefixed(), same_site(hosts_)},
+  const Handler handler = compose({request_id(), access_log(options.logged_requests), audit(), count(metrics_),
+                                   cors(hosts_), pack_answers(offload), guard(), prefixed(), same_site(hosts_)},
                                   [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
   check_origins(options.cors_origins);
   const CallbackHosts callback_hosts(options.callback_hosts);

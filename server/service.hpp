@@ -8,6 +8,7 @@
 
 #include "server/callbacks/callbacks.hpp"
 #include "server/http/listener.hpp"
+#include "server/http/middleware.hpp"
 #include "server/http/router.hpp"
 #include "server/http/same_site.hpp"
 #include "server/jobs/change_feed.hpp"
@@ -44,6 +45,7 @@ struct ServiceOptions {
   /// After the drain timeout a planner has this long to notice (its rule: 100 ms of its processor time) and its job to
   /// be requeued; then requests have the rest of the second until the end.
   std::chrono::milliseconds stop_patience{700}, answer_patience{200};
+  LoggedRequests logged_requests = LoggedRequests::all;
   BuildInfo build;
 };
 

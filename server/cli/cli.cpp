@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -152,6 +153,13 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
                   "of silence on a stream of events, then a comment says that it is alive"));
   env(app.add_option("--log-level", level, "least level logged")
           ->check(CLI::IsMember({"debug", "info", "warn", "error"})));
+  const std::map<std::string, LoggedRequests> logged{
+      {"all", LoggedRequests::all}, {"errors", LoggedRequests::errors}, {"none", LoggedRequests::none}};
+  env(app.add_option("--log-requests", options.logged_requests,
+                     "which requests get a line: all, errors (answered with 400 and more), none")
+          ->transform(CLI::CheckedTransformer(logged).description("{all,errors,none}"))
+          ->type_name("TEXT")
+          ->default_str("all"));
 }
 
 int run_serve(const CLI::App& app, const ServiceOptions& options, const std::string& role, const std::string& level) {

@@ -52,11 +52,13 @@ Middleware request_id() {
   };
 }
 
-Middleware access_log() {
-  return [](Handler next) -> Handler {
-    return [next = std::move(next)](RequestPtr request, Reply reply) {
+Middleware access_log(LoggedRequests logged) {
+  return [logged](Handler next) -> Handler {
+    if (logged == LoggedRequests::none) return next;
+    return [logged, next = std::move(next)](RequestPtr request, Reply reply) {
       const auto start = std::chrono::steady_clock::now();
-      next(request, [reply = std::move(reply), request, start](Response response) {
+      next(request, [logged, reply = std::move(reply), request, start](Response response) {
+        if (logged == LoggedRequests::errors && response.status < 400) return reply(std::move(response));
         log::Fields line{{"request", request->id},         {"method", request->method},
                          {"route", route_label(*request)}, {"path", request->path.substr(0, 500)},
                          {"status", response.status},      {"ms", seconds_since(start) * 1e3},

@@ -8,9 +8,11 @@ namespace bahnwerk::server {
 
 /// Uses the client's X-Request-Id (1–128 visible characters) or generates one, and returns it in the answer.
 Middleware request_id();
-/// Logs one line per request: id, method, route, path, status, ms until the answer's first byte, bytes of its body, the
-/// job that it is about or has made, the client's traceparent [W3C Trace Context].
-Middleware access_log();
+/// Which requests are logged: errors are those that are answered with 400 and more.
+enum class LoggedRequests { all, errors, none };
+/// Logs one line per request that is to be logged: id, method, route, path, status, ms until the answer's first byte,
+/// bytes of its body, the job that it is about or has made, the client's traceparent [W3C Trace Context].
+Middleware access_log(LoggedRequests logged);
 /// Writes a line for every request of a key that may change something: who (key, its id, address), what, which job, and
 /// how it ended.
 Middleware audit();

@@ -1,6 +1,7 @@
 #pragma once
-/// Rows of setpoints, and their views, whose job was removed, or whose attempt ended without them. A long series has hundreds of
-/// megabytes: it is freed in pieces, each in a transaction of its own, so that other writes proceed in between.
+/// Rows of setpoints, and their views, whose job was removed, or whose attempt ended without them. A long series has
+/// hundreds of megabytes: it is freed in pieces, each in a transaction of its own, so that other writes proceed in
+/// between.
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "server/http/answer.hpp"
@@ -69,7 +70,7 @@ TEST(Middleware, TheLogHasOneLinePerRequest) {
   const auto request = std::make_shared<Request>();
   request->method = "GET", request->route = "/a", request->path = std::string(600, 'p'), request->id = "7";
   testing::internal::CaptureStderr();
-  run(access_log(), request);
+  run(access_log(LoggedRequests::all), request);
   const auto line = nlohmann::json::parse(testing::internal::GetCapturedStderr());
   EXPECT_EQ(line["request"], "7");
   EXPECT_EQ(line["status"], 200);
@@ -80,7 +81,7 @@ TEST(Middleware, TheLogHasOneLinePerRequest) {
 TEST(Middleware, TheLogNamesTheJobThatARequestIsAboutOrHasMade) {
   const auto line = [](const RequestPtr& request, const Handler& handler) {
     testing::internal::CaptureStderr();
-    run(access_log(), request, handler);
+    run(access_log(LoggedRequests::all), request, handler);
     return nlohmann::json::parse(testing::internal::GetCapturedStderr());
   };
   const auto post = std::make_shared<Request>();
@@ -96,6 +97,20 @@ TEST(Middleware, TheLogNamesTheJobThatARequestIsAboutOrHasMade) {
   get->parameters = {{"id", "def"}};
   EXPECT_EQ(line(get, ok)["job"], "def");
   EXPECT_FALSE(line(std::make_shared<Request>(), ok).contains("job"));
+}
+
+TEST(Middleware, OnlyTheRequestsThatAreToBeLoggedGetALine) {
+  const auto lines = [](LoggedRequests logged, int status) {
+    testing::internal::CaptureStderr();
+    run(access_log(logged), std::make_shared<Request>(),
+        [&](const RequestPtr&, const Reply& reply) { reply(text_answer(status, "text/plain", "")); });
+    const std::string text = testing::internal::GetCapturedStderr();
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  EXPECT_EQ(lines(LoggedRequests::all, 200), 1);
+  EXPECT_EQ(lines(LoggedRequests::errors, 200), 0);
+  EXPECT_EQ(lines(LoggedRequests::errors, 400), 1);
+  EXPECT_EQ(lines(LoggedRequests::none, 500), 0);
 }
 
 TEST(Middleware, WorkOnThePoolIsAnsweredEvenIfItThrows) {
