@@ -81,8 +81,8 @@ std::size_t LawBasis::find(const std::vector<double>& breaks) {
 }
 
 void LawBasis::add_section(const std::vector<double>& breaks) {
-  std::vector<double> backwards;
-  for (auto at = breaks.rbegin(); at != breaks.rend(); ++at) backwards.push_back(1 - *at);
+  std::vector<double> backwards(breaks.rbegin(), breaks.rend());
+  for (double& at : backwards) at = 1 - at;
   of_section_.push_back(find(breaks));
   mirrored_.push_back(find(backwards));
   first_.push_back(first_.back() + bases_[of_section_.back()].size());
