@@ -12,8 +12,8 @@
 namespace bahnwerk::server {
 namespace {
 
-constexpr std::int64_t longest_sleep = 10'000;  ///< ms; the system's clock may be set meanwhile
-constexpr std::int64_t retry_store = 1'000;     ///< ms after the store failed
+constexpr std::chrono::milliseconds longest_sleep{10'000};  ///< the system's clock may be set meanwhile
+constexpr std::chrono::milliseconds retry_store{1'000};     ///< after the store failed
 constexpr unsigned most_per_receiver = 2;
 
 double random_share() {
@@ -35,22 +35,18 @@ std::string callback_signature(const std::string& secret, std::int64_t unix_time
 }
 
 Callbacks::Callbacks(Store& store, Metrics& metrics, Send send, unsigned threads, const TimeSource& time)
-    : store_(store), metrics_(metrics), send_(std::move(send)), threads_(threads), time_(time), pool_(threads) {
-  thread_ = std::thread([this] { loop(); });
-}
+    : store_(store),
+      metrics_(metrics),
+      send_(std::move(send)),
+      threads_(threads),
+      time_(time),
+      pool_(threads),
+      thread_([this] { return look(); }, time) {}
 
 Callbacks::~Callbacks() {
   stop();
-  thread_.join();
+  thread_.stop();
   pool_.join();
-}
-
-void Callbacks::notify() {
-  {
-    const std::lock_guard lock(mutex_);
-    ++notifications_;
-  }
-  wake_.notify_all();
 }
 
 void Callbacks::stop() {
@@ -61,34 +57,22 @@ void Callbacks::stop() {
   wake_.notify_all();
 }
 
-void Callbacks::loop() {
-  std::unique_lock lock(mutex_);
-  while (!stop_) {
-    const std::uint64_t seen = notifications_;
-    lock.unlock();
-    const auto asleep_since = time_.now();
-    const auto until = asleep_since + std::chrono::milliseconds(look());
-    lock.lock();
-    while (!stop_ && notifications_ == seen && time_.now() < until) time_.wait_until(lock, wake_, until);
-  }
-}
-
 bool Callbacks::may_begin(const Receiver& receiver) const {
   if (running_ >= threads_) return false;
   if (!receiver.failing) return receiver.jobs.size() < most_per_receiver;
   return receiver.jobs.empty() && failing_ < std::max(1U, threads_ / 2);
 }
 
-/// Begins what is due; returns how long (ms) to sleep if not notified. The end of a delivery notifies.
-std::int64_t Callbacks::look() {
+/// Begins what is due; returns how long to sleep if not notified. The end of a delivery notifies.
+std::chrono::milliseconds Callbacks::look() {
   try {
     const std::int64_t now = time_.now_ms();
-    std::int64_t next = longest_sleep;
+    std::chrono::milliseconds next = longest_sleep;
     std::set<std::string> names;
     for (const auto& [name, due] : store_.callback_receivers()) {
       names.insert(name);
       if (due > now)
-        next = std::min(next, due - now);
+        next = std::min(next, std::chrono::milliseconds(due - now));
       else
         while (begin_one(name, now)) {
         }
@@ -192,7 +176,7 @@ void Callbacks::record(const CallbackAttempt& attempt) {
       log::error("callback_not_recorded", {{"job", attempt.id}, {"detail", error.what()}});
     }
     std::unique_lock lock(mutex_);
-    const auto until = time_.now() + std::chrono::milliseconds(retry_store);
+    const auto until = time_.now() + retry_store;
     while (!stop_ && time_.now() < until) time_.wait_until(lock, wake_, until);
     if (stop_) return;
   }

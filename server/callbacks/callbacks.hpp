@@ -9,18 +9,18 @@
 #include <mutex>
 #include <set>
 #include <string>
-#include <thread>
 
 #include "server/callbacks/callback_hosts.hpp"
 #include "server/http/message.hpp"
-#include "server/runtime/clock.hpp"
+#include "server/runtime/look_thread.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/runtime/pool.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
 
-inline constexpr std::int64_t callback_patience_ms = 86'400'000;  ///< from the end of the job to the last attempt
+inline constexpr std::int64_t callback_patience_ms =
+    86'400'000;  ///< longest time from the end of the job to an attempt
 /// Returns the time in ms until the next attempt after `failures` failed ones: 2 s, doubled each time, at most an hour,
 /// and of that a share of one half to one, which `jitter` (0 to 1) gives: receivers that come back are not asked by all
 /// at the same time.
@@ -41,18 +41,17 @@ class Callbacks {
   Callbacks(const Callbacks&) = delete;
   Callbacks& operator=(const Callbacks&) = delete;
 
-  void notify();  ///< has to be called when jobs have ended
-  void stop();    ///< begins no more deliveries and ends those that wait for an answer; they are tried again
+  void notify() { thread_.notify(); }  ///< has to be called when jobs have ended
+  void stop();  ///< begins no more deliveries and ends those that wait for an answer; they are tried again
   /// Returns whether all deliveries have ended, which `stop` has told to, within `patience`.
   bool wait_idle(std::chrono::milliseconds patience) { return pool_.wait_idle(patience); }
 
  private:
   struct Receiver {
-    std::set<std::string> jobs;  ///< whose callbacks are being delivered
+    std::set<std::string> jobs;  ///< jobs whose callbacks are being delivered
     bool failing = false;
   };
-  void loop();
-  std::int64_t look();
+  std::chrono::milliseconds look();
   bool begin_one(const std::string& name, std::int64_t now);
   bool may_begin(const Receiver& receiver) const;
   void deliver(const DueCallback& callback);
@@ -67,10 +66,9 @@ class Callbacks {
   std::condition_variable wake_;
   std::map<std::string, Receiver> receivers_;
   unsigned running_ = 0, failing_ = 0;  ///< deliveries, and those to receivers that failed when they were begun
-  std::uint64_t notifications_ = 0;
   bool stop_ = false;
   Pool pool_;
-  std::thread thread_;
+  LookThread thread_;
 };
 
 /// Returns the Send of the service: HTTP within 10 s, to allowed hosts and addresses alone; redirects are answers like

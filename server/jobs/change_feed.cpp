@@ -14,33 +14,26 @@ ChangeFeed::ChangeFeed(ChangeSource& source, Hooks hooks, std::chrono::milliseco
   source_.listen(hooks_.changed);
   if (!source_.shared()) return;
   seen_ = source_.last_change();
-  thread_ = std::thread([this] { loop(); });
+  thread_.emplace([this] {
+    ask();
+    return interval_;
+  });
 }
 
 ChangeFeed::~ChangeFeed() {
   source_.listen(nullptr);
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-  }
-  wake_.notify_one();
-  if (thread_.joinable()) thread_.join();
-}
-
-void ChangeFeed::loop() {
-  std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, interval_, [&] { return stop_; })) {
-    lock.unlock();
-    try {
-      ask();
-    } catch (const std::exception& error) {  // the store may be back the next time; nothing is missed
-      log::error("changes_failed", {{"detail", error.what()}});
-    }
-    lock.lock();
-  }
+  thread_.reset();
 }
 
 void ChangeFeed::ask() {
+  try {
+    ask_all();
+  } catch (const std::exception& error) {  // the store may be back the next time; nothing is missed
+    log::error("changes_failed", {{"detail", error.what()}});
+  }
+}
+
+void ChangeFeed::ask_all() {
   for (;;) {
     const Changes changes = source_.changes_since(seen_, at_once);
     if (changes.list.empty()) return;

@@ -2,11 +2,10 @@
 /// Passes changes of the store, once durable, to the parts that act on them: commits of this process at once, those of
 /// other processes by polling.
 #include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
-#include <thread>
+#include <optional>
 
+#include "server/runtime/look_thread.hpp"
 #include "server/store/changes.hpp"
 
 namespace bahnwerk::server {
@@ -26,17 +25,14 @@ class ChangeFeed {
   ChangeFeed& operator=(const ChangeFeed&) = delete;
 
  private:
-  void loop();
   void ask();
+  void ask_all();
 
   ChangeSource& source_;
   const Hooks hooks_;
   const std::chrono::milliseconds interval_;
-  std::uint64_t seen_ = 0;  ///< number of the last change seen; the polling thread alone uses it
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool stop_ = false;
-  std::thread thread_;
+  std::uint64_t seen_ = 0;            ///< number of the last change seen; the polling thread alone uses it
+  std::optional<LookThread> thread_;  ///< none if the source is not shared
 };
 
 }  // namespace bahnwerk::server

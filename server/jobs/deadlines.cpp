@@ -8,35 +8,18 @@
 namespace bahnwerk::server {
 namespace {
 
-constexpr std::int64_t longest_sleep = 10'000;  ///< ms; the system's clock may be set meanwhile, too
-constexpr std::int64_t retry = 1'000;           ///< ms after the store failed
+constexpr std::chrono::milliseconds longest_sleep{10'000};  ///< the system's clock may be set meanwhile, too
+constexpr std::chrono::milliseconds retry{1'000};           ///< after the store failed
 
 }  // namespace
 
 Deadlines::Deadlines(Store& store, const TimeSource& time, std::function<void(const Expired&)> looked)
     : store_(store), time_(time), looked_(std::move(looked)) {
   look();
-  thread_ = std::thread([this] { loop(); });
+  thread_.emplace([this] { return look(); }, time_);
 }
 
-Deadlines::~Deadlines() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-  }
-  wake_.notify_one();
-  thread_.join();
-}
-
-void Deadlines::notify() {
-  {
-    const std::lock_guard lock(mutex_);
-    ++notifications_;
-  }
-  wake_.notify_one();
-}
-
-std::int64_t Deadlines::look() {
+std::chrono::milliseconds Deadlines::look() {
   try {
     const Expired expired = store_.expire(time_.now_ms());
     for (const std::string& id : expired.ids)
@@ -44,22 +27,12 @@ std::int64_t Deadlines::look() {
     if (expired.removed > 0) log::info("jobs_removed", {{"jobs", expired.removed}, {"reason", "retention"}});
     for (const std::string& id : expired.lost) log::warn("attempt_lost", {{"job", id}});
     if (looked_) looked_(expired);
-    return expired.next ? std::clamp<std::int64_t>(*expired.next - time_.now_ms(), 0, longest_sleep) : longest_sleep;
+    if (!expired.next) return longest_sleep;
+    return std::clamp(std::chrono::milliseconds(*expired.next - time_.now_ms()), std::chrono::milliseconds(0),
+                      longest_sleep);
   } catch (const StoreError& error) {
     log::error("expire_failed", {{"detail", error.what()}});
     return retry;
-  }
-}
-
-void Deadlines::loop() {
-  std::unique_lock lock(mutex_);
-  while (!stop_) {
-    const std::uint64_t seen = notifications_;
-    lock.unlock();
-    const auto asleep_since = time_.now();
-    const auto until = asleep_since + std::chrono::milliseconds(look());
-    lock.lock();
-    while (!stop_ && notifications_ == seen && time_.now() < until) time_.wait_until(lock, wake_, until);
   }
 }
 

@@ -8,16 +8,10 @@ namespace bahnwerk::server {
 KeyRing::KeyRing(Store& store, std::function<void()> removed, std::chrono::milliseconds interval)
     : store_(store), removed_(std::move(removed)), interval_(interval) {
   look();
-  thread_ = std::thread([this] { loop(); });
-}
-
-KeyRing::~KeyRing() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-  }
-  wake_.notify_one();
-  thread_.join();
+  thread_.emplace([this] {
+    look_again();
+    return interval_;
+  });
 }
 
 std::shared_ptr<const HeldKey> KeyRing::find(std::string_view text) const {
@@ -59,16 +53,11 @@ void KeyRing::look() {
   if (any_removed && removed_) removed_();
 }
 
-void KeyRing::loop() {
-  std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, interval_, [&] { return stop_; })) {
-    lock.unlock();
-    try {
-      look();
-    } catch (const std::exception& error) {  // those known stay valid
-      log::warn("keys_not_read", {{"detail", error.what()}});
-    }
-    lock.lock();
+void KeyRing::look_again() {
+  try {
+    look();
+  } catch (const std::exception& error) {  // those known stay valid
+    log::warn("keys_not_read", {{"detail", error.what()}});
   }
 }
 

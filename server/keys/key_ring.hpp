@@ -2,15 +2,15 @@
 /// The keys that are valid now, in memory: requests never wait for the store to learn who asks.
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 
+#include "server/runtime/look_thread.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
@@ -28,27 +28,22 @@ class KeyRing {
   /// thread after a key was removed.
   explicit KeyRing(Store& store, std::function<void()> removed = {},
                    std::chrono::milliseconds interval = std::chrono::milliseconds(250));
-  ~KeyRing();
-  KeyRing(const KeyRing&) = delete;
-  KeyRing& operator=(const KeyRing&) = delete;
 
   bool demanded() const { return demanded_; }  ///< whether there are or have been keys: then everyone needs one
   std::shared_ptr<const HeldKey> find(std::string_view text) const;  ///< nullptr: it is no valid key
 
  private:
   void look();
-  void loop();
+  void look_again();
 
   Store& store_;
   const std::function<void()> removed_;
   const std::chrono::milliseconds interval_;
   std::atomic<bool> demanded_{false};
   mutable std::mutex mutex_;
-  std::condition_variable wake_;
   std::map<std::string, std::shared_ptr<HeldKey>, std::less<>> keys_;  ///< valid ones by id
   std::uint64_t version_ = 0;  ///< version of the keys read last; used by the thread alone
-  bool stop_ = false;
-  std::thread thread_;
+  std::optional<LookThread> thread_;
 };
 
 }  // namespace bahnwerk::server
