@@ -6,9 +6,8 @@
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
-#include "server/routes/changes.hpp"
-#include "server/routes/event_feed.hpp"
 #include "server/routes/events.hpp"
+#include "server/routes/news_feed.hpp"
 #include "server/routes/watch.hpp"
 
 namespace bahnwerk::server {
@@ -17,45 +16,26 @@ namespace {
 constexpr std::size_t most_at_once = 200;
 
 /// The events of all jobs that the client may see and asks for.
-class AllJobsFeed final : public EventFeed {
+class AllJobsFeed final : public NewsFeed {
  public:
   AllJobsFeed(Context& context, const Request& request, JobFilter filter, std::uint64_t since)
-      : EventFeed(context, request.key), filter_(std::move(filter)), prefix_(request.prefix), since_(since) {}
+      : NewsFeed(context, request, since, most_at_once, filter.owner),
+        filter_(std::move(filter)),
+        prefix_(request.prefix) {}
 
  private:
-  void look() override {
-    std::string text(begun_ ? "" : first_piece);
-    if (begun_ && !context_.draining && context_.time.now() < last_piece_ + between_pieces)
-      return wait("", last_piece_ + between_pieces);
-    begun_ = true;
-    bool more = false;
-    try {
-      const News found = news(context_.store, since_, most_at_once, filter_.owner);
-      since_ = found.next;
-      more = found.changes.list.size() == most_at_once;
-      if (found.changes.gap) text += "event: gap\ndata: {}\n\n";
-      for (const Changed& changed : found.changes.list) text += event_of(changed);
-      text += progress();
-    } catch (...) {  // the store failed: the client's next request gets the answer
-      return give(std::nullopt);
-    }
-    if (text.empty() && context_.draining) return give(std::nullopt);
-    if (text.empty() && silent_too_long()) text = sign_of_life;
-    if (!text.empty()) return give(std::move(text));
-    auto until = last_piece_ + context_.event_heartbeat;
-    if (context_.live.size() > 0) until = std::min(until, context_.time.now() + progress_interval);
-    wait(Notifier::any_job, until);
-    if (more || changed()) look_now();  // between the query and the wait
+  Clock::time_point look_for_more() const override {
+    return context_.live.size() > 0 ? context_.time.now() + progress_interval : Clock::time_point::max();
   }
 
-  std::string event_of(const Changed& changed) {
+  std::string event_of(const Changed& changed) override {
     if (!changed.state) return filter_.state ? "" : event_text("removed", changed.sequence, {{"id", changed.id}});
     const auto job = visible(changed.id);
     return job ? event_text("state", changed.sequence, job_resource(context_, *job, prefix_)) : "";
   }
 
   /// Returns the progress of running jobs since the last time, at most once a second.
-  std::string progress() {
+  std::string more() override {
     if (filter_.state && *filter_.state != api::JobState::running) return "";
     if (context_.time.now() < last_progress_ + progress_interval) return "";
     std::string text;
@@ -87,18 +67,8 @@ class AllJobsFeed final : public EventFeed {
     return job;
   }
 
-  bool changed() {
-    try {
-      return context_.store.last_change() != since_;
-    } catch (...) {
-      return true;
-    }
-  }
-
   const JobFilter filter_;
   const std::string prefix_;
-  std::uint64_t since_;  ///< the last change that the client has
-  bool begun_ = false;
   Clock::time_point last_progress_{};
   std::map<std::string, std::uint64_t> sent_;  ///< revisions of running jobs whose progress the client has
 };

@@ -1,6 +1,5 @@
 #include "server/routes/changes.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -8,7 +7,7 @@
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
-#include "server/routes/event_feed.hpp"
+#include "server/routes/news_feed.hpp"
 #include "server/routes/waiting.hpp"
 #include "server/routes/watch.hpp"
 
@@ -23,25 +22,6 @@ nlohmann::ordered_json entry(const Changed& changed) {
           {"state", changed.state ? api::to_string(*changed.state) : "removed"}};
 }
 
-}  // namespace
-
-News news(Store& store, std::uint64_t since, std::size_t limit, const std::optional<std::string>& owner) {
-  News out;
-  out.next = store.last_change();  // before the look: what comes during it is looked for the next time
-  if (since > out.next) {
-    out.changes.gap = true;
-    return out;
-  }
-  out.changes = store.changes_since(since, limit, owner);
-  if (!out.changes.list.empty()) {
-    const std::uint64_t last = out.changes.list.back().sequence;
-    out.next = out.changes.list.size() == limit ? last : std::max(out.next, last);
-  }
-  return out;
-}
-
-namespace {
-
 bool empty(const News& news) { return news.changes.list.empty() && !news.changes.gap; }
 
 Response answer(const News& news) {
@@ -53,43 +33,15 @@ Response answer(const News& news) {
 }
 
 /// The changes of all jobs that the client may see.
-class ChangesFeed final : public EventFeed {
+class ChangesFeed final : public NewsFeed {
  public:
   ChangesFeed(Context& context, const Request& request, std::uint64_t since)
-      : EventFeed(context, request.key), owner_(sees_only(request)), since_(since) {}
+      : NewsFeed(context, request, since, most_at_once, sees_only(request)) {}
 
  private:
-  void look() override {
-    std::string text(begun_ ? "" : first_piece);
-    if (begun_ && !context_.draining && context_.time.now() < last_piece_ + between_pieces)
-      return wait("", last_piece_ + between_pieces);
-    begun_ = true;
-    try {
-      const News found = news(context_.store, since_, most_at_once, owner_);
-      if (found.changes.gap) text += "event: gap\ndata: {}\n\n";
-      for (const Changed& changed : found.changes.list) text += event_text("change", changed.sequence, entry(changed));
-      since_ = found.next;
-    } catch (...) {  // the store failed: the client's next request gets the answer
-      return give(std::nullopt);
-    }
-    if (text.empty() && context_.draining) return give(std::nullopt);
-    if (text.empty() && silent_too_long()) text = sign_of_life;
-    if (!text.empty()) return give(std::move(text));
-    wait(Notifier::any_job, last_piece_ + context_.event_heartbeat);
-    if (changed()) look_now();  // between the query and the wait
+  std::string event_of(const Changed& changed) override {
+    return event_text("change", changed.sequence, entry(changed));
   }
-
-  bool changed() {
-    try {
-      return context_.store.last_change() != since_;
-    } catch (...) {
-      return true;
-    }
-  }
-
-  const std::optional<std::string> owner_;
-  std::uint64_t since_;  ///< the last change that the client has
-  bool begun_ = false;
 };
 
 /// Reads a number of the query; throws Problem where it is none, or not within `most`.
