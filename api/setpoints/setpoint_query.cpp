@@ -1,43 +1,18 @@
 // The query string of GET /v1/jobs/{id}/setpoints.
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <stdexcept>
 
 #include "api/problem.hpp"
 #include "api/setpoints/result_files.hpp"
 #include "api/setpoints/setpoints.hpp"
 #include "api/text/pointer.hpp"
+#include "api/text/query_values.hpp"
 
 namespace bahnwerk::api {
 namespace {
 
 constexpr double max_delay = 60;            // s
 constexpr std::size_t max_points = 20'000;  // an envelope is held in memory: 20 000 points of 12 columns are 4 MB
-
-std::optional<std::size_t> natural(std::string_view text) {
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-std::optional<double> real(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::vector<std::string> split(std::string_view text) {
-  std::vector<std::string> parts;
-  for (;;) {
-    const auto comma = text.find(',');
-    parts.emplace_back(text.substr(0, comma));
-    if (comma == text.npos) return parts;
-    text.remove_prefix(comma + 1);
-  }
-}
 
 }  // namespace
 

@@ -10,16 +10,13 @@
 #include "api/problem.hpp"
 #include "api/setpoints/setpoint_rows.hpp"
 #include "api/text/pointer.hpp"
+#include "api/text/query_values.hpp"
 #include "core/base/read_rows.hpp"
 
 namespace bahnwerk::api {
 namespace {
 
 constexpr std::size_t piece_size = 64 * 1024;
-
-[[noreturn]] void refuse(std::string parameter, std::string message) {
-  throw Problem("schema-violation", message, {{pointer("/query", {std::move(parameter)}), message}});
-}
 
 std::string text(std::string_view value) {
   return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -55,8 +52,9 @@ std::vector<std::string> columns_of(const SetpointSeries& series, CsvLayout layo
     for (const char* name : {"x", "y", "z", "phi", "psi"})
       if (has(name) && has(std::string("v") + name) && in_group(name)) names.push_back(name);
   }
-  if (names.empty() && group != DriveGroup::all) refuse("group", "this series has no axes of that group of drives");
-  if (names.empty()) refuse("layout", "this series has no columns of that layout; name some by columns");
+  if (names.empty() && group != DriveGroup::all)
+    refuse_parameter("group", "this series has no axes of that group of drives");
+  if (names.empty()) refuse_parameter("layout", "this series has no columns of that layout; name some by columns");
   const std::size_t positions = names.size();
   for (std::size_t k = 0; k < positions; ++k) names.push_back("v" + names[k]);
   for (std::size_t k = 0; k < positions && layout == CsvLayout::plain; ++k) names.push_back("a" + names[k]);
@@ -70,7 +68,7 @@ std::size_t rows_of(double delay, double cycle_time) {
   if (delay == 0) return 0;
   const double cycles = delay / cycle_time, whole = std::round(cycles);
   if (!(std::abs(cycles - whole) <= 1e-6 * std::fmax(1, whole)))
-    refuse("delay", "must be whole cycles of " + nlohmann::json(cycle_time).dump() + " s");
+    refuse_parameter("delay", "must be whole cycles of " + nlohmann::json(cycle_time).dump() + " s");
   return static_cast<std::size_t>(whole);
 }
 
@@ -83,7 +81,7 @@ std::vector<std::size_t> select(const SetpointSeries& series, const std::vector<
     if (c == series.columns.size()) {
       std::string known;
       for (const auto& column : series.columns) known += (known.empty() ? "" : ", ") + column.name;
-      refuse("columns", "no column " + in_quotes(name) + "; there are " + known);
+      refuse_parameter("columns", "no column " + in_quotes(name) + "; there are " + known);
     }
     selected.push_back(c);
   }
@@ -221,7 +219,8 @@ SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, Setpo
     : state_(std::make_unique<State>()) {
   auto& s = *state_;
   if (query.delay > 0 && !series.independent.time())
-    refuse("delay", "this series is over " + series.independent.name + ", not over time: its rows cannot wait");
+    refuse_parameter("delay",
+                     "this series is over " + series.independent.name + ", not over time: its rows cannot wait");
   const std::size_t waiting = rows_of(query.delay, series.cycle_time);
   const auto asks_for = [&](const char* name) {
     return std::find(query.columns.begin(), query.columns.end(), name) != query.columns.end() &&
@@ -230,18 +229,18 @@ SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, Setpo
   if (series.view && waiting == 0 && (asks_for("use") || asks_for("limit"))) series = with_limits(std::move(series));
   series = delayed(std::move(series), waiting);
   if (query.first > series.count)
-    refuse("first",
-           "row " + std::to_string(query.first) + " is beyond the series of " + std::to_string(series.count) + " rows");
-  if (query.every == 0) refuse("every", "must be at least 1");
+    refuse_parameter("first", "row " + std::to_string(query.first) + " is beyond the series of " +
+                                  std::to_string(series.count) + " rows");
+  if (query.every == 0) refuse_parameter("every", "must be at least 1");
   const bool poses = query.layout == CsvLayout::twincat_poses;
   if (query.frame == SetpointFrame::base && !series.pose_frame)
-    refuse("frame", "the machine's frame is not known: this series has poses of the part alone");
+    refuse_parameter("frame", "the machine's frame is not known: this series has poses of the part alone");
   const bool base = query.frame ? *query.frame == SetpointFrame::base : poses && series.pose_frame;
   if (base) series = in_base_frame(std::move(series));
   if (poses && query.columns.empty() && series.pose_frame)
     series = with_mark(std::move(series), base ? "base_frame" : "part_frame");
   if (query.layout != CsvLayout::plain) {
-    if (format != SetpointFormat::csv) refuse("layout", "is one of CSV: ask for text/csv or format=csv");
+    if (format != SetpointFormat::csv) refuse_parameter("layout", "is one of CSV: ask for text/csv or format=csv");
     s.separator = ";", s.line_end = "\r\n";
   }
   if (query.columns.empty()) query.columns = columns_of(series, query.layout, query.group);

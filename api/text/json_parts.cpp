@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
+#include "api/text/query_values.hpp"
+
 namespace bahnwerk::api {
 namespace {
-
-std::vector<std::string> split(std::string_view text) {
-  std::vector<std::string> names;
-  for (;;) {
-    const std::size_t dot = text.find('.');
-    names.emplace_back(text.substr(0, dot));
-    if (dot == text.npos) return names;
-    text.remove_prefix(dot + 1);
-  }
-}
 
 bool begins_with(const std::vector<std::string>& path, const std::vector<std::string>& with) {
   return path.size() >= with.size() && std::equal(with.begin(), with.end(), path.begin());
@@ -22,7 +14,7 @@ bool begins_with(const std::vector<std::string>& path, const std::vector<std::st
 }  // namespace
 
 JsonParts::JsonParts(const std::vector<std::string>& paths) {
-  for (const std::string& path : paths) parts_.push_back({split(path), {}, false});
+  for (const std::string& path : paths) parts_.push_back({split(path, '.'), {}, false});
   std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.path < b.path; });
   const auto last = std::unique(parts_.begin(), parts_.end(),
                                 [](const Part& a, const Part& b) { return begins_with(b.path, a.path); });

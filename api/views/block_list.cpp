@@ -1,13 +1,12 @@
 #include "api/views/block_list.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <unordered_map>
 
-#include "api/problem.hpp"
+#include "api/text/query_values.hpp"
 #include "core/base/named.hpp"
 
 namespace bahnwerk::api {
@@ -20,10 +19,6 @@ constexpr Named<ListedBy> groupings[] = {
 constexpr Named<ListOrder> orders[] = {
     {ListOrder::start, "start"}, {ListOrder::time, "time"}, {ListOrder::lost, "lost"}};
 
-[[noreturn]] void refuse(const std::string& name, const std::string& message) {
-  throw Problem("schema-violation", "/query/" + name + ": " + message, {{"/query/" + name, message}});
-}
-
 template <class T, std::size_t N>
 T one_of(const std::string& name, const std::string& value, const Named<T> (&list)[N]) {
   std::string known;
@@ -31,14 +26,13 @@ T one_of(const std::string& name, const std::string& value, const Named<T> (&lis
     if (each.name == value) return each.value;
     known += (known.empty() ? "" : ", ") + std::string(each.name);
   }
-  refuse(name, "must be one of " + known);
+  refuse_parameter(name, "must be one of " + known);
 }
 
 std::size_t whole_number(const std::string& name, const std::string& value) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-  if (error != std::errc() || end != value.data() + value.size()) refuse(name, "must be a whole number");
-  return number;
+  const auto number = natural(value);
+  if (!number) refuse_parameter(name, "must be a whole number");
+  return *number;
 }
 
 void add(ListedBlock& entry, const PlannedSegment& segment) {
@@ -69,7 +63,7 @@ std::size_t key_of(const SegmentTable& table, ListedBy by, std::size_t i) {
 /// Returns the entries in the order of their first visits.
 std::vector<ListedBlock> gathered(const SegmentTable& table, ListedBy by) {
   std::vector<ListedBlock> list;
-  std::unordered_map<std::size_t, std::size_t> places;  // of blocks and lines in the list
+  std::unordered_map<std::size_t, std::size_t> places;  // places of blocks and lines in the list
   std::size_t last = static_cast<std::size_t>(-1);      // place of the entry that is being visited
   for (std::size_t i = 0; i < table.segments.size(); ++i) {
     const PlannedSegment& segment = table.segments[i];
@@ -139,12 +133,12 @@ BlockQuery parse_block_query(const std::vector<std::pair<std::string, std::strin
     if (name == "first") out.first = whole_number(name, value);
     if (name == "count") out.count = whole_number(name, value);
   }
-  if (out.count == 0 || out.count > BlockQuery::most) refuse("count", "must be between 1 and 1000");
+  if (out.count == 0 || out.count > BlockQuery::most) refuse_parameter("count", "must be between 1 and 1000");
   return out;
 }
 
 std::vector<ListedBlock> list_blocks(const SegmentTable& table, ListedBy by, ListOrder sort) {
-  if (by == ListedBy::line && !table.program) refuse("by", "line is for programs; this contour has segments");
+  if (by == ListedBy::line && !table.program) refuse_parameter("by", "line is for programs; this contour has segments");
   std::vector<ListedBlock> list = gathered(table, by);
   const auto by_figure = [&](auto figure) {
     std::stable_sort(list.begin(), list.end(),

@@ -5,18 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "api/problem.hpp"
 #include "api/setpoints/setpoints.hpp"
-#include "api/text/pointer.hpp"
+#include "api/text/query_values.hpp"
 
 namespace bahnwerk::api {
 namespace {
 
 using nlohmann::ordered_json;
-
-[[noreturn]] void refuse(const std::string& parameter, const std::string& message) {
-  throw Problem("schema-violation", message, {{pointer("/query", {parameter}), message}});
-}
 
 std::uint64_t sum(const LimitsReader::Counts& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -54,15 +49,15 @@ ordered_json changes(LimitsReader& limits, std::size_t declared, std::size_t fro
 IntervalQuery parse_interval_query(const std::vector<std::pair<std::string, std::string>>& query) {
   for (const auto& [key, value] : query)
     if (key != "first" && key != "count" && key != "points")
-      refuse(key.substr(0, 100), "unknown parameter; known are first, count, points");
+      refuse_parameter(key.substr(0, 100), "unknown parameter; known are first, count, points");
   const SetpointQuery parsed = parse_setpoint_query(query);
   return {parsed.first, parsed.count, parsed.points};
 }
 
 ordered_json limits_answer(LimitsReader& limits, std::size_t count, double cycle_time, const IntervalQuery& query) {
   if (query.first > count)
-    refuse("first",
-           "row " + std::to_string(query.first) + " is beyond the series of " + std::to_string(count) + " rows");
+    refuse_parameter(
+        "first", "row " + std::to_string(query.first) + " is beyond the series of " + std::to_string(count) + " rows");
   const std::size_t rows = std::min(query.count.value_or(count), count - query.first), end = query.first + rows;
   const auto counts = count_cycles(limits, query.first, end, count);
   const auto total = static_cast<double>(sum(counts));

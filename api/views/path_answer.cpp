@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
-#include "api/problem.hpp"
 #include "api/setpoints/setpoints.hpp"
+#include "api/text/query_values.hpp"
 #include "api/views/bytes.hpp"
 #include "core/geometry/curve/chord_fan.hpp"
 
@@ -19,46 +19,29 @@ constexpr std::array<std::string_view, 6> column_names{"v", "limit", "mode", "bl
 constexpr std::size_t default_points = 2000;
 constexpr std::size_t candidates = 16;  // vertices that are read for each one that is asked for
 
-[[noreturn]] void refuse_path(const std::string& name, const std::string& message) {
-  throw Problem("schema-violation", "/query/" + name + ": " + message, {{"/query/" + name, message}});
-}
-
+/// Returns what a value was read as; refuses the parameter if it could not be read.
 template <class T>
-T number(const std::string& name, std::string_view text, const char* what) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  bool good = error == std::errc() && end == text.data() + text.size();
-  if constexpr (std::is_floating_point_v<T>) good = good && std::isfinite(value);
-  if (!good) refuse_path(name, what);
-  return value;
-}
-
-std::vector<std::string_view> list_of(std::string_view text) {
-  std::vector<std::string_view> list;
-  for (;;) {
-    const std::size_t comma = text.find(',');
-    list.push_back(text.substr(0, comma));
-    if (comma == text.npos) return list;
-    text.remove_prefix(comma + 1);
-  }
+T read_as(const std::string& name, const std::optional<T>& value, const char* what) {
+  if (!value) refuse_parameter(name, what);
+  return *value;
 }
 
 PathBox box_of(const std::string& text) {
-  const auto parts = list_of(text);
+  const auto parts = split(text);
   constexpr const char* form = "must be x0,y0,x1,y1 in mm, the lower corner first";
-  if (parts.size() != 4) refuse_path("box", form);
+  if (parts.size() != 4) refuse_parameter("box", form);
   std::array<double, 4> v{};
-  for (std::size_t i = 0; i < 4; ++i) v[i] = number<double>("box", parts[i], form);
-  if (!(v[0] <= v[2] && v[1] <= v[3])) refuse_path("box", form);
+  for (std::size_t i = 0; i < 4; ++i) v[i] = read_as("box", real(parts[i]), form);
+  if (!(v[0] <= v[2] && v[1] <= v[3])) refuse_parameter("box", form);
   return {v[0], v[1], v[2], v[3]};
 }
 
 std::vector<std::string> columns_of(const std::string& text) {
   std::vector<std::string> list;
-  for (const std::string_view name : list_of(text)) {
+  for (std::string& name : split(text)) {
     if (std::find(column_names.begin(), column_names.end(), name) == column_names.end())
-      refuse_path("columns", "must be a list of v, limit, mode, block, line, use");
-    list.emplace_back(name);
+      refuse_parameter("columns", "must be a list of v, limit, mode, block, line, use");
+    list.push_back(std::move(name));
   }
   return list;
 }
@@ -136,7 +119,7 @@ std::vector<StoredPath::Run> from_rows(const std::vector<StoredPath::Run>& runs,
         last_at = at;
       }
       if (count + line.size() > most_vertices)
-        refuse_path("tolerance", "needs more than 2000000 vertices: widen it, or narrow the box or the rows");
+        refuse_parameter("tolerance", "needs more than 2000000 vertices: widen it, or narrow the box or the rows");
     }
     if (line.back().row != last.row) line.push_back(last);
     count += line.size();
@@ -166,28 +149,29 @@ PathQuery parse_path_query(const std::vector<std::pair<std::string, std::string>
   PathQuery out;
   constexpr const char* whole = "must be a whole number";
   for (const auto& [name, value] : query) {
-    if (name == "points") out.points = number<std::size_t>(name, value, whole);
-    if (name == "tolerance") out.tolerance = number<double>(name, value, "must be a number, mm");
+    if (name == "points") out.points = read_as(name, natural(value), whole);
+    if (name == "tolerance") out.tolerance = read_as(name, real(value), "must be a number, mm");
     if (name == "box") out.box = box_of(value);
-    if (name == "first") out.first = number<std::size_t>(name, value, whole);
-    if (name == "count") out.count = number<std::size_t>(name, value, whole);
+    if (name == "first") out.first = read_as(name, natural(value), whole);
+    if (name == "count") out.count = read_as(name, natural(value), whole);
     if (name == "of") out.of = value;
     if (name == "columns") out.columns = columns_of(value);
     if (name == "format") out.binary = value == "f32";
-    if (name == "format" && value != "f32" && value != "json") refuse_path(name, "must be json or f32");
+    if (name == "format" && value != "f32" && value != "json") refuse_parameter(name, "must be json or f32");
   }
-  if (out.of != "tool" && out.of != "coarse" && out.of != "part") refuse_path("of", "must be tool, coarse or part");
-  if (out.points && out.tolerance) refuse_path("tolerance", "excludes points");
+  if (out.of != "tool" && out.of != "coarse" && out.of != "part")
+    refuse_parameter("of", "must be tool, coarse or part");
+  if (out.points && out.tolerance) refuse_parameter("tolerance", "excludes points");
   if (out.points && (*out.points < 2 || *out.points > PathQuery::most_points))
-    refuse_path("points", "must be between 2 and 200000");
-  if (out.tolerance && *out.tolerance < 0) refuse_path("tolerance", "must not be negative");
-  if (out.count == std::size_t{0}) refuse_path("count", "must be at least 1");
+    refuse_parameter("points", "must be between 2 and 200000");
+  if (out.tolerance && *out.tolerance < 0) refuse_parameter("tolerance", "must not be negative");
+  if (out.count == std::size_t{0}) refuse_parameter("count", "must be at least 1");
   if (!out.points && !out.tolerance) out.points = default_points;
   return out;
 }
 
 ChosenPath choose_path(const StoredPath& path, const PathQuery& query, const PathRows& rows) {
-  if (query.first >= rows.count) refuse_path("first", "is beyond the last row");
+  if (query.first >= rows.count) refuse_parameter("first", "is beyond the last row");
   const std::size_t first = query.first,
                     end = query.count ? first + std::min(*query.count, rows.count - first) : rows.count;
   const bool planar = path.dimension() == 2;

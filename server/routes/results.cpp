@@ -7,6 +7,7 @@
 #include "api/setpoints/setpoints.hpp"
 #include "api/text/json_parts.hpp"
 #include "api/text/pointer.hpp"
+#include "api/text/query_values.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/stored_series.hpp"
@@ -17,24 +18,17 @@ namespace {
 /// Returns the names of `parts`; empty: the whole result. Throws Problem schema-violation for what is no list of names.
 std::vector<std::string> asked_parts(const Request& request) {
   std::vector<std::string> parts;
-  for (const auto& [name, value] : request.query) {
-    if (name != "parts") continue;
-    for (std::size_t at = 0; at <= value.size();) {
-      const std::size_t comma = std::min(value.find(',', at), value.size());
-      parts.push_back(value.substr(at, comma - at));
-      at = comma + 1;
-    }
-  }
+  for (const auto& [name, value] : request.query)
+    if (name == "parts")
+      for (std::string& part : api::split(value)) parts.push_back(std::move(part));
   const auto faulty = [](const std::string& part) {
     const bool plain = std::all_of(part.begin(), part.end(), [](char c) {
       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
     });
     return !plain || part.empty() || part.front() == '.' || part.back() == '.' || part.find("..") != part.npos;
   };
-  if (parts.size() > 50 || std::any_of(parts.begin(), parts.end(), faulty)) {
-    const std::string message = "must be at most 50 names of members, such as summary,details.slowest";
-    throw api::Problem("schema-violation", "/query/parts: " + message, {{"/query/parts", message}});
-  }
+  if (parts.size() > 50 || std::any_of(parts.begin(), parts.end(), faulty))
+    api::refuse_parameter("parts", "must be at most 50 names of members, such as summary,details.slowest");
   return parts;
 }
 
