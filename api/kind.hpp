@@ -30,7 +30,7 @@ struct ResultFiles {
 
 /// How long the plan of a spec is expected to take.
 struct PlanningTime {
-  double seconds = 0;   ///< of one processor
+  double seconds = 0;   ///< time of one processor
   std::string pointer;  ///< member of the document that determines it, such as /spec/effort
   std::string change;   ///< what makes it shorter, a sentence
 };

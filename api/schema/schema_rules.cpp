@@ -31,8 +31,8 @@ struct Rule {
   const json* choice = nullptr;
   double minimum = -infinity, maximum = infinity, above = -infinity, below = infinity;
   Range characters, items, members;
-  const Rule* item = nullptr;   ///< of every item of an array
-  const Rule* other = nullptr;  ///< of members that are not among the properties
+  const Rule* item = nullptr;   ///< rule of every item of an array
+  const Rule* other = nullptr;  ///< rule of members that are not among the properties
   std::map<std::string, const Rule*, std::less<>> properties;
   std::vector<std::string> required;
   std::vector<const Rule*> one_of;
@@ -57,7 +57,7 @@ struct SchemaRules::Table {
   explicit Table(const json& root) : root(root), first(&rule(root)) {}
 
   const json& root;
-  std::map<const json*, Rule> rules;  ///< by node; a schema may refer to itself
+  std::map<const json*, Rule> rules;  ///< rules by node; a schema may refer to itself
   const Rule* first;
 
   const Rule& rule(const json& unresolved) {

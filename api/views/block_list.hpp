@@ -16,7 +16,7 @@ enum class ListOrder { start, time, lost };
 
 struct BlockQuery {
   ListedBy by = ListedBy::block;
-  ListOrder sort = ListOrder::start;  ///< by time and by lost time: the largest first
+  ListOrder sort = ListOrder::start;  ///< time and lost time: the largest first
   std::size_t first = 0, count = 100;
   static constexpr std::size_t most = 1000;
 };
@@ -25,7 +25,7 @@ BlockQuery parse_block_query(const std::vector<std::pair<std::string, std::strin
 
 /// An entry of the list. A line that is driven several times is one entry.
 struct ListedBlock {
-  std::size_t number = 0;  ///< of the block, of the segment in the order of driving, or of the line
+  std::size_t number = 0;  ///< number of the block, of the segment in the order of driving, or of the line
   std::size_t source = 0;  ///< line of the program, or segment of the document, that is driven first
   bool cut = false;
   double start = 0, end = 0;  ///< s: begin of the first visit, end of the last one
@@ -43,7 +43,7 @@ struct MainLimit {
 };
 struct BlockTexts {
   std::function<std::string(std::size_t line)> line;  ///< text of a line of the program; empty: none
-  /// Of intervals of time, s, in ascending order; empty: unknown.
+  /// Returns the main limit of intervals of time, s, in ascending order; empty: it is unknown.
   std::function<MainLimit(const std::vector<std::pair<double, double>>& intervals)> limit = {};
 };
 /// Returns the page of the list that the query asks for, with totals over all entries.

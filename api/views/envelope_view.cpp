@@ -75,7 +75,7 @@ class Envelope final : public View {
     filled_ = 0;
   }
   std::vector<ColumnEnvelope> columns_;
-  std::vector<double> least_, most_;  // of the open cell
+  std::vector<double> least_, most_;  // values of the open cell
   std::size_t filled_ = 0;
 };
 

@@ -194,7 +194,7 @@ class LimitsView final : public View {
   std::vector<Changes> changes_;
   std::vector<double> window_;  // rows from one before the first that is not computed
   std::size_t done_ = 0;        // rows of the window that are computed
-  std::vector<double> uses_;    // of the rows that were computed last
+  std::vector<double> uses_;    // uses of the rows that were computed last
   std::vector<std::uint8_t> found_;
   std::string rows_;
   std::size_t row_part_ = 0, row_ = 0;

@@ -72,7 +72,7 @@ class ChunkWriter {
   std::size_t dimension_;
   const ViewSink& sink_;
   std::array<std::vector<PathVertex>, path_tolerances.size()> open_;
-  std::array<std::string, path_tolerances.size()> entries_;  // of the index, by level
+  std::array<std::string, path_tolerances.size()> entries_;  // entries of the index, by level
   std::array<std::size_t, path_tolerances.size()> parts_of_{};
   std::size_t chunks_ = 0;
 };

@@ -81,7 +81,7 @@ class StoredPath {
   ViewReader read_;
   std::string name_;
   std::size_t dimension_ = 0;
-  std::vector<Chunk> chunks_;  // by level, then by rows; neighbours share a vertex
+  std::vector<Chunk> chunks_;  // chunks by level, then by rows; neighbours share a vertex
 };
 
 }  // namespace bahnwerk::api

@@ -57,7 +57,7 @@ class RowLimits {
     int differences = 0;
     double per = 1;  // step^-differences
     Share share;
-    std::vector<double> from;  // of the steps
+    std::vector<double> from;  // keys at which the steps begin
     std::vector<Share> shares;
     std::vector<Permitted> permitted;  // one per step; one where there are none
     bool exists = false;

@@ -21,7 +21,7 @@ struct PlannedSegment {
 };
 
 struct SegmentTable {
-  std::vector<PlannedSegment> segments;  ///< in the order of time, without gaps
+  std::vector<PlannedSegment> segments;  ///< segments in the order of time, without gaps
   bool program = false;                  ///< whether sources are lines of a program
 };
 

@@ -97,7 +97,8 @@ struct MotionLawProblem {
   std::optional<int> degree;  ///< `optimal` alone; none: degree and pieces as the bound asks
   int pieces = 1;             ///< `optimal` cuts each section into so many
   std::optional<DriveLimits> drive;
-  std::optional<EffortLimit> effort;  ///< in a given cycle, all over the sections without a classical law; `optimal`
+  std::optional<EffortLimit>
+      effort;  ///< limit in a given cycle, all over the sections without a classical law; `optimal`
   std::vector<VibrationMode> vibration;
   std::uint64_t seed = 1;
 

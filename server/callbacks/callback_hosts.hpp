@@ -25,7 +25,7 @@ class CallbackHosts {
 
  private:
   bool exact(std::string_view host) const;
-  std::vector<std::string> exact_, suffixes_;  ///< in lower case; a suffix begins with a point, or is empty: all
+  std::vector<std::string> exact_, suffixes_;  ///< hosts in lower case; a suffix begins with a point, or is empty: all
 };
 
 /// Returns SCHEME://HOST:PORT of an http or https URL, in lower case: what one receiver is; empty: it is no such URL.

@@ -25,7 +25,7 @@ struct Credentials {
 
 /// What bounds a request to a server that nobody trusts.
 struct RequestLimits {
-  std::chrono::milliseconds time{0};  ///< of the whole request but for the name lookup; 0: no limit
+  std::chrono::milliseconds time{0};  ///< longest time of a request, the name lookup left out; 0: no limit
   std::size_t answer = 0;             ///< bytes of the answer that are read; 0: no limit
   std::function<bool(const std::string& address)> may_connect = {};  ///< whether an IP address may be connected to
   std::function<bool()> stop = {};  ///< asked every 100 ms; true ends the request as Unreachable

@@ -20,7 +20,7 @@ api::Job find_job(Context& context, const std::string& id) {
 }
 
 std::optional<double> remaining_seconds(const api::Job& job, std::int64_t now) {
-  constexpr double enough = 0.05;  // of the share that is done
+  constexpr double enough = 0.05;  // share that has to be done before the rest is estimated
   constexpr double longest = 86400;
   if (job.state != api::JobState::running || !job.started_at || job.fraction < enough) return std::nullopt;
   const double spent = static_cast<double>(std::max(std::int64_t{0}, now - *job.started_at)) * 1e-3;

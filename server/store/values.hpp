@@ -54,7 +54,7 @@ struct JobFilter {
   std::optional<std::string> kind = {}, reference = {}, tag = {};
   std::optional<std::string> owner = {};  ///< jobs of this name alone
   std::optional<std::string> text = {};   ///< begin of the name, the reference or the id; not empty
-  bool oldest_first = false;              ///< by default the newest is the first
+  bool oldest_first = false;              ///< whether the oldest is the first; else the newest is
   std::string before = {};                ///< the last id of the page before; empty: from the first
   std::optional<std::int64_t> created_after = {},
                               created_before = {};  ///< limits of the time of posting: from, and before

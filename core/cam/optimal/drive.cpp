@@ -23,7 +23,7 @@ constexpr double wanted = 1e-7;  // share by which the cycle may be longer than 
 constexpr double solved = 2e-9;  // share of a limit that peaks stay below it, for what programs and rounding leave
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_durations = 60, most_passes = 8, most_bounds = 7, most_refinements = 10;
-constexpr std::size_t most_pieces = 200;      // of a section
+constexpr std::size_t most_pieces = 200;      // most pieces of a section
 constexpr std::size_t most_cycle_boxes = 40;  // programs of branch and bound per duration
 
 std::array<double, limited_orders> limits_of(const DriveLimits& drive) {

@@ -49,7 +49,7 @@ struct LawTask {
       weight{};  ///< weight of each order's peak, in these units; J is in the user's units
   /// J is the largest weight · peak instead of their sum: how far a law exceeds limits that are 1 / weight.
   bool largest_peak = false;
-  std::optional<EffortLimit> effort;  ///< in parts of half its range
+  std::optional<EffortLimit> effort;  ///< limit of the effort, in parts of half its range
   std::vector<Vibration> vibration;
   double unit_time = 1, unit_position = 1,
          origin = 0;  ///< s, slave's units: t = unit_time t', s = origin + unit_position s'

@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 double sine_straight(const cam::SineStraight& f, double z) {
   if (z > 0.5) return 1 - sine_straight(f, 1 - z);
   const double b = f.b, d = f.d, q = (b + f.c) / 2, bb = b * b * (1 / 8.0 - 1 / (pi * pi));
-  const double velocity = b / pi + f.c / 2 + d / pi;  // in the middle, for an acceleration of 1
+  const double velocity = b / pi + f.c / 2 + d / pi;  // velocity in the middle, for an acceleration of 1
   if (velocity == 0) return z;
   const auto third = [&](double x) {
     const double turn = d > 0 ? std::cos(pi / d * (x - q)) : 1;

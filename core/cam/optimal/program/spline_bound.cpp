@@ -114,7 +114,7 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
   std::array<double, limited_orders> apart = differences(law);
   std::size_t order = 0;
   while (order + 1 < limited_orders && std::isfinite(apart[order + 1])) ++order;
-  std::map<const SectionBasis*, Eigen::PartialPivLU<Eigen::MatrixXd>> factors;  // of collocation matrices
+  std::map<const SectionBasis*, Eigen::PartialPivLU<Eigen::MatrixXd>> factors;  // factors of collocation matrices
   std::vector<double> weights;
   for (std::size_t section = 0; section < task_.sections(); ++section) {
     if (task_.is_given(section)) continue;  // the variables of a given section are 0
