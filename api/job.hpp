@@ -80,6 +80,9 @@ struct Job {
   double fraction = 0;
   std::string stage, message;
   int attempt = 0;
+  /// Number of the last claim, not shown to clients. A requeue gives the attempt's number to the next claim, this one
+  /// never.
+  std::int64_t token = 0;
   std::int64_t created_at = 0;
   std::optional<std::int64_t> started_at, finished_at;
   std::optional<std::string> error;  ///< problem document, JSON text

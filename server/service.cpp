@@ -223,7 +223,7 @@ Service::Drained Service::drain() {
   try {
     // A planner that gets no processor time cannot put its job back; whatever it still does comes too late then.
     if (stuck)
-      for (const auto& live : live_.all()) store_->requeue(live->id(), live->attempt(), now_ms(), live->revision());
+      for (const auto& live : live_.all()) store_->requeue(live->attempt(), now_ms(), live->revision());
     store_->checkpoint();
   } catch (const StoreError& error) {
     log::error("checkpoint_failed", {{"detail", error.what()}});

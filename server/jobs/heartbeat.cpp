@@ -40,12 +40,12 @@ void Heartbeat::loop() {
 void Heartbeat::beat() {
   const auto running = live_.all();
   std::vector<Attempt> attempts;
-  for (const auto& live : running) attempts.push_back({live->id(), live->attempt()});
+  for (const auto& live : running) attempts.push_back(live->attempt());
   try {
     const std::int64_t now = time_.now_ms();
     const auto over = store_.heartbeat({worker_, now, now + lease_.count()}, attempts);
     for (const auto& live : running)
-      if (std::find(over.begin(), over.end(), Attempt{live->id(), live->attempt()}) != over.end()) live->lost = true;
+      if (std::find(over.begin(), over.end(), live->attempt()) != over.end()) live->lost = true;
   } catch (const StoreError& error) {  // the next one may be in time
     log::error("heartbeat_failed", {{"detail", error.what()}});
   }

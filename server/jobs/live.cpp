@@ -18,7 +18,7 @@ std::uint64_t LiveJob::revision() const {
 }
 
 void LiveJob::overlay(api::Job& job) const {
-  if (job.state != api::JobState::running || job.attempt != attempt_) return;
+  if (job.state != api::JobState::running || job.token != attempt_.token) return;
   const std::lock_guard lock(mutex_);
   job.fraction = fraction_;
   job.stage = stage_;

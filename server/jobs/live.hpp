@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "api/job.hpp"
+#include "server/store/values.hpp"
 
 namespace bahnwerk::server {
 
@@ -15,9 +16,9 @@ namespace bahnwerk::server {
 class LiveJob {
  public:
   explicit LiveJob(const api::Job& job)
-      : id_(job.id), attempt_(job.attempt), claimed_(job.revision), revision_(job.revision) {}
-  const std::string& id() const { return id_; }
-  int attempt() const { return attempt_; }
+      : attempt_{job.id, job.token}, claimed_(job.revision), revision_(job.revision) {}
+  const std::string& id() const { return attempt_.id; }
+  const Attempt& attempt() const { return attempt_; }
 
   void publish(double fraction, std::string_view stage, std::string_view message);  ///< increases the revision
   std::uint64_t revision() const;
@@ -28,8 +29,7 @@ class LiveJob {
   std::atomic<bool> lost{false};       ///< the store reports that the attempt is over: no result of it can be stored
 
  private:
-  const std::string id_;
-  const int attempt_;
+  const Attempt attempt_;
   const std::uint64_t claimed_;  ///< the revision with which it began to run
   mutable std::mutex mutex_;
   double fraction_ = 0;

@@ -66,7 +66,7 @@ void JobProgress::report(std::string_view stage, double fraction, std::string_vi
   hooks_.publish();
   if (now - kept_ < keep_interval || keeping_->exchange(true)) return;
   kept_ = now;
-  hooks_.keep({live_->id(), live_->attempt(), fraction_, stage_, std::string(message), live_->revision()},
+  hooks_.keep({live_->attempt(), fraction_, stage_, std::string(message), live_->revision()},
               [keeping = keeping_] { *keeping = false; });
 }
 

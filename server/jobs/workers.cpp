@@ -222,7 +222,7 @@ void Workers::run(const api::Job& job) {
     outcome = "succeeded";
     try {
       const auto kept = persist(
-          id, [&] { return store_.succeed(id, job.attempt, *planned, time_.now_ms(), live->revision(), progress); },
+          id, [&] { return store_.succeed(live->attempt(), *planned, time_.now_ms(), live->revision(), progress); },
           [&] { return live->cancel.load(); });
       if (kept == Persisted::given_up) {
         given_up = true;
@@ -237,7 +237,7 @@ void Workers::run(const api::Job& job) {
   } else if (problem && progress.stopped() == JobProgress::Stop::interrupted) {
     outcome = "queued";
     persist(
-        id, [&] { return store_.requeue(id, job.attempt, time_.now_ms(), live->revision()); }, never);
+        id, [&] { return store_.requeue(live->attempt(), time_.now_ms(), live->revision()); }, never);
   } else if (problem) {
     Ending ending;
     const bool cancelled = given_up || progress.stopped() == JobProgress::Stop::cancelled;
@@ -250,7 +250,7 @@ void Workers::run(const api::Job& job) {
         [&] {
           ending.now = time_.now_ms();
           ending.revision = live->revision();
-          return store_.end(id, job.attempt, ending);
+          return store_.end(live->attempt(), ending);
         },
         never);
   }

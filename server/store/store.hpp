@@ -48,10 +48,10 @@ class Store : public ChangeSource {
   // Attempts: from claim to one of end, succeed, requeue. Each of these changes nothing and returns false when the job
   // is not running any more, or runs another attempt.
 
-  /// Claims the next job: highest priority, then first come; it becomes `running` and its attempt number increases by
-  /// one. No job is given to two callers. Attempts whose lease ran out before `lease.now` are lost first, as in
-  /// `expire`. A job with a lost attempt is given to a worker that runs no other one, and that gets none until it has
-  /// ended.
+  /// Claims the next job: highest priority, then first come; it becomes `running`, and its attempt number and its
+  /// token increase by one. No job is given to two callers. Attempts whose lease ran out before `lease.now` are lost
+  /// first, as in `expire`. A job with a lost attempt is given to a worker that runs no other one, and that gets none
+  /// until it has ended.
   virtual std::optional<api::Job> claim(const Lease& lease) = 0;
   /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed.
   /// Returns the others: they ended or were lost, and their planners may stop.
@@ -59,15 +59,15 @@ class Store : public ChangeSource {
   /// Stores progress asynchronously, within a group commit; `done` is called from any thread. Without effect when the
   /// attempt is over.
   virtual void progress(Progressed progress, std::function<void()> done) = 0;
-  virtual bool end(const std::string& id, int attempt, const Ending& ending) = 0;
+  virtual bool end(const Attempt& attempt, const Ending& ending) = 0;
   /// Stores the result, all setpoints and their views. Long series are stored piece by piece before the state changes,
   /// so that neither memory nor other writers suffer from their length; `progress` is asked between the pieces and may
   /// throw Stopped. After a StoreError a further call continues where this one ended.
-  virtual bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
-                       std::uint64_t revision, Progress& progress) = 0;
+  virtual bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, std::uint64_t revision,
+                       Progress& progress) = 0;
   /// Puts a running job back as if the attempt had not been made; a job with a requested cancellation is cancelled
   /// instead.
-  virtual bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) = 0;
+  virtual bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) = 0;
 
   /// Ends queued jobs whose deadline has passed as deadline-exceeded. Running jobs whose lease has run out have lost
   /// their attempt: they return to the queue with its number, so that the next one differs; they end as cancelled when

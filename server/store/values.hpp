@@ -70,10 +70,11 @@ struct Lease {
   std::int64_t until = forever;
 };
 
-/// A run of a planner on a job. The number increases with every claim.
+/// A run of a planner on a job: what every write of its worker is conditional on. The token increases with every claim
+/// and is not given again, so that a planner that was thought stuck cannot store its result as another's.
 struct Attempt {
   std::string id;
-  int number = 0;
+  std::int64_t token = 0;
   bool operator==(const Attempt&) const = default;
 };
 
@@ -103,8 +104,7 @@ struct SeriesInfo {
 };
 
 struct Progressed {
-  std::string id;
-  int attempt = 0;
+  Attempt attempt;
   double fraction = 0;
   std::string stage, message;
   std::uint64_t revision = 0;

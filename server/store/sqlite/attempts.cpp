@@ -1,6 +1,6 @@
-/// SqliteStore: the calls of workers, from claim to end. Every change is conditional on the attempt that makes it.
+/// SqliteStore: the calls of workers, from claim to end. Every change is conditional on the token of the
+/// attempt that makes it: one transaction of the one writer reads and writes it.
 #include "server/store/codec.hpp"
-#include "server/store/problems.hpp"
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/rows.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
@@ -31,11 +31,12 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
           leftovers = seq;
           return;
         }
-        static const std::string sql = std::string(
-                                           "UPDATE jobs SET state = 'running', attempt = attempt + 1, started_at = ?, "
-                                           "worker = ?, lease_until = ?, revision = revision + 1, changed = ? "
-                                           "WHERE seq = ? RETURNING ") +
-                                       job_columns;
+        static const std::string sql =
+            std::string(
+                "UPDATE jobs SET state = 'running', attempt = attempt + 1, token = token + 1, started_at = ?, "
+                "worker = ?, lease_until = ?, revision = revision + 1, changed = ? "
+                "WHERE seq = ? RETURNING ") +
+            job_columns;
         Query claimed = connection.query(sql);
         const std::int64_t change = changes_.next();
         claimed << lease.now << lease.worker << lease.until << change << seq;
@@ -69,8 +70,8 @@ std::vector<Attempt> SqliteStore::heartbeat(const Lease& lease, const std::vecto
         over.clear();
         for (const Attempt& attempt : attempts) {
           const int held = (connection.query("UPDATE jobs SET lease_until = ? WHERE id = ? AND state = 'running' AND "
-                                             "attempt = ? AND worker = ?")
-                            << lease.until << attempt.id << std::int64_t{attempt.number} << lease.worker)
+                                             "token = ? AND worker = ?")
+                            << lease.until << attempt.id << attempt.token << lease.worker)
                                .run();
           if (held == 0) over.push_back(attempt);
         }
@@ -84,64 +85,69 @@ void SqliteStore::progress(Progressed progress, std::function<void()> done) {
   writer_.post(
       [p](SqliteConnection& connection) {
         (connection.query("UPDATE jobs SET fraction = ?, stage = ?, message = ?, revision = max(revision, ?) "
-                          "WHERE id = ? AND state = 'running' AND attempt = ?")
-         << p->fraction << p->stage << p->message << static_cast<std::int64_t>(p->revision) << p->id
-         << std::int64_t{p->attempt})
+                          "WHERE id = ? AND state = 'running' AND token = ?")
+         << p->fraction << p->stage << p->message << static_cast<std::int64_t>(p->revision) << p->attempt.id
+         << p->attempt.token)
             .run();
       },
       // Progress is optional: if it cannot be stored, the next one may.
       [done = std::move(done)](const std::exception_ptr&) { done(); }, Writer::row);
 }
 
-bool SqliteStore::end(const std::string& id, int attempt, const Ending& ending) {
+bool SqliteStore::end(const Attempt& attempt, const Ending& ending) {
   const std::string document = ending.result.empty() ? std::string() : pack_text(ending.result);
   return write_flag(
       [&](SqliteConnection& connection) {
-        const std::int64_t change = changes_.next();
-        const int ended =
-            (connection.query("UPDATE jobs SET state = ?, error = ?, finished_at = ?, revision = max(revision, ?) + 1, "
-                              "changed = ? WHERE id = ? AND state = 'running' AND attempt = ?")
-             << api::to_string(ending.state) << ending.error << ending.now << static_cast<std::int64_t>(ending.revision)
-             << change << id << std::int64_t{attempt})
-                .run();
-        if (ended == 0) return false;
-        leave_chunks(connection, id);
+        if (!leave(connection, {.id = attempt.id,
+                                .from = api::JobState::running,
+                                .token = attempt.token,
+                                .to = {ending.state, ending.error},
+                                .now = ending.now,
+                                .seen = ending.revision}))
+          return false;
         if (!document.empty()) {
           Query result = connection.query("INSERT INTO results (seq, document) SELECT seq, ? FROM jobs WHERE id = ?");
           result.blob(document);
-          (result << id).run();
+          (result << attempt.id).run();
         }
-        changes_.note(change, id, ending.state);
         return true;
       },
       Writer::frees);
 }
 
-bool SqliteStore::requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) {
-  const std::string error = cancelled_error(id);
+bool SqliteStore::requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) {
   return write_flag(
       [&](SqliteConnection& connection) {
-        const std::int64_t change = changes_.next();
-        const int cancelled =
-            (connection.query("UPDATE jobs SET state = 'cancelled', error = ?, finished_at = ?, revision = "
-                              "max(revision, ?) + 1, changed = ? "
-                              "WHERE id = ? AND state = 'running' AND attempt = ? AND cancel_requested = 1")
-             << error << now << static_cast<std::int64_t>(revision) << change << id << std::int64_t{attempt})
-                .run();
-        const int queued =
-            cancelled == 1
-                ? 0
-                : (connection.query("UPDATE jobs SET state = 'queued', attempt = attempt - 1, started_at = NULL, "
-                                    "fraction = 0, stage = '', message = '', revision = max(revision, ?) + 1, "
-                                    "changed = ? WHERE id = ? AND state = 'running' AND attempt = ?")
-                   << static_cast<std::int64_t>(revision) << change << id << std::int64_t{attempt})
-                      .run();
-        if (cancelled + queued == 0) return false;
-        leave_chunks(connection, id);
-        changes_.note(change, id, cancelled == 1 ? api::JobState::cancelled : api::JobState::queued);
-        return true;
+        Query asked = connection.query("SELECT cancel_requested FROM jobs WHERE id = ?");
+        asked << attempt.id;
+        const bool cancelled = asked.step() && asked.integer(0) != 0;
+        return leave(connection, {.id = attempt.id,
+                                  .from = api::JobState::running,
+                                  .token = attempt.token,
+                                  .to = after_requeue(attempt.id, cancelled),
+                                  .now = now,
+                                  .seen = revision,
+                                  .not_made = 1});
       },
       Writer::frees);
+}
+
+bool SqliteStore::leave(SqliteConnection& connection, const Step& step) {
+  const std::int64_t change = changes_.next();
+  const bool queued = step.to.state == api::JobState::queued;
+  Query update = connection.query(
+      queued ? "UPDATE jobs SET state = ?, error = ?, started_at = NULL, attempt = attempt - ?, fraction = 0, "
+               "stage = '', message = '', revision = max(revision, ?) + ?, changed = ? "
+               "WHERE id = ? AND state = ? AND token = coalesce(?, token)"
+             : "UPDATE jobs SET state = ?, error = ?, finished_at = ?, revision = max(revision, ?) + ?, changed = ? "
+               "WHERE id = ? AND state = ? AND token = coalesce(?, token)");
+  update << api::to_string(step.to.state) << (queued ? std::nullopt : std::optional(step.to.error))
+         << (queued ? step.not_made : step.now) << static_cast<std::int64_t>(step.seen) << step.leap << change
+         << step.id << api::to_string(step.from) << step.token;
+  if (update.run() == 0) return false;
+  if (step.from == api::JobState::running) leave_chunks(connection, step.id);
+  changes_.note(change, step.id, step.to.state);
+  return true;
 }
 
 }  // namespace bahnwerk::server

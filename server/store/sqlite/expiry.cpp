@@ -1,17 +1,12 @@
 /// SqliteStore: jobs that end by the clock, by deadlines in the queue and leases of running jobs.
 #include <algorithm>
 
-#include "server/store/problems.hpp"
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/rows.hpp"
 
 namespace bahnwerk::server {
 namespace {
-
-/// Clients may have seen revisions of a running job that were never stored; whoever takes it up again continues far
-/// above them.
-constexpr std::int64_t lost_leap = 1 << 20;
 
 /// Selects the queued jobs with a deadline, the next one first.
 constexpr auto deadlines =
@@ -90,24 +85,11 @@ std::vector<std::string> SqliteStore::lose(SqliteConnection& connection, std::in
   }
   std::vector<std::string> ids;
   for (const Orphan& orphan : orphans) {
-    const std::int64_t change = changes_.next();
     ids.push_back(orphan.id);
-    leave_chunks(connection, orphan.id);
-    if (!orphan.cancelled && orphan.losses < max_losses_alone) {
-      (connection.query("UPDATE jobs SET state = 'queued', started_at = NULL, fraction = 0, stage = '', message = '', "
-                        "suspect = 1, losses = ?, revision = revision + ?, changed = ? WHERE id = ?")
-       << orphan.losses << lost_leap << change << orphan.id)
-          .run();
-      changes_.note(change, orphan.id, api::JobState::queued);
-      continue;
-    }
-    const auto state = orphan.cancelled ? api::JobState::cancelled : api::JobState::failed;
-    const std::string error = orphan.cancelled ? cancelled_error(orphan.id) : lost_error(orphan.id, orphan.losses);
-    (connection.query("UPDATE jobs SET state = ?, error = ?, finished_at = ?, revision = revision + ?, changed = ? "
-                      "WHERE id = ?")
-     << api::to_string(state) << error << now << lost_leap << change << orphan.id)
-        .run();
-    changes_.note(change, orphan.id, state);
+    const Fate fate = after_loss(orphan.id, orphan.losses, orphan.cancelled);
+    if (fate.state == api::JobState::queued)
+      (connection.query("UPDATE jobs SET suspect = 1, losses = ? WHERE id = ?") << orphan.losses << orphan.id).run();
+    leave(connection, {.id = orphan.id, .from = api::JobState::running, .to = fate, .now = now, .leap = lost_leap});
   }
   return ids;
 }
@@ -138,14 +120,8 @@ Expired SqliteStore::expire(std::int64_t now) {
         expired.ids.push_back(due.text(0));
       }
     }
-    for (const std::string& id : expired.ids) {
-      const std::int64_t change = changes_.next();
-      (connection.query("UPDATE jobs SET state = 'failed', error = ?, finished_at = ?, revision = revision + 1, "
-                        "changed = ? WHERE id = ? AND state = 'queued'")
-       << deadline_error(id) << now << change << id)
-          .run();
-      changes_.note(change, id, api::JobState::failed);
-    }
+    for (const std::string& id : expired.ids)
+      leave(connection, {.id = id, .from = api::JobState::queued, .to = after_deadline(id), .now = now});
     expired.lost = lose(connection, now, now, max_expired_at_once);
     expired.next = earlier(expired.next, next_lease(connection));
     const auto leftovers = next_leftovers(connection);

@@ -33,6 +33,7 @@ api::Job job_from_row(const Query& row) {
   job.delivery = {static_cast<int>(row.integer(19)), row.optional_integer(21), row.optional_integer(20),
                   row.optional_text(22)};
   if (!row.null(23)) job.request.tags = nlohmann::json::parse(row.text(23)).get<std::vector<std::string>>();
+  job.token = row.integer(24);
   if (job.state != api::JobState::running) job.state_revision = job.revision;
   return job;
 }

@@ -5,7 +5,6 @@
 
 #include "server/runtime/clock.hpp"
 #include "server/store/codec.hpp"
-#include "server/store/problems.hpp"
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/migrate.hpp"
 #include "server/store/sqlite/reader.hpp"
@@ -137,13 +136,8 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
 }
 
 bool SqliteStore::cancel_one(SqliteConnection& connection, const std::string& id, std::int64_t now) {
+  if (leave(connection, {.id = id, .from = api::JobState::queued, .to = after_cancel(id), .now = now})) return true;
   const std::int64_t change = changes_.next();
-  const int queued = (connection.query("UPDATE jobs SET state = 'cancelled', error = ?, finished_at = ?, "
-                                       "revision = revision + 1, changed = ? WHERE id = ? AND state = 'queued'")
-                      << cancelled_error(id) << now << change << id)
-                         .run();
-  if (queued == 1) changes_.note(change, id, api::JobState::cancelled);
-  if (queued == 1) return true;
   const int asked = (connection.query("UPDATE jobs SET cancel_requested = 1, changed = ? "
                                       "WHERE id = ? AND state = 'running' AND cancel_requested = 0")
                      << change << id)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "server/runtime/uuid7.hpp"
+#include "server/store/rules.hpp"
 #include "server/store/sqlite/change_log.hpp"
 #include "server/store/sqlite/connection.hpp"
 #include "server/store/sqlite/file_lock.hpp"
@@ -51,10 +52,10 @@ class SqliteStore final : public Store {
   std::optional<api::Job> claim(const Lease& lease) override;
   std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
   void progress(Progressed progress, std::function<void()> done) override;
-  bool end(const std::string& id, int attempt, const Ending& ending) override;
-  bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
-               std::uint64_t revision, Progress& progress) override;
-  bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) override;
+  bool end(const Attempt& attempt, const Ending& ending) override;
+  bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, std::uint64_t revision,
+               Progress& progress) override;
+  bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) override;
   Expired expire(std::int64_t now) override;
   std::vector<std::pair<std::string, std::int64_t>> callback_receivers() override;
   std::vector<DueCallback> due_callbacks(const std::string& receiver, std::int64_t now, std::size_t limit) override;
@@ -83,6 +84,19 @@ class SqliteStore final : public Store {
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; returns their jobs.
   std::vector<std::string> lose(SqliteConnection& connection, std::int64_t until, std::int64_t now, std::size_t most);
+  /// The step of a job out of the queue or out of its attempt, but for those of claim and succeed.
+  struct Step {
+    std::string id;
+    api::JobState from;
+    std::optional<std::int64_t> token = {};  ///< of the attempt that it is conditional on
+    Fate to;
+    std::int64_t now = 0;
+    std::uint64_t seen = 0;     ///< last revision that clients were shown
+    std::int64_t leap = 1;      ///< increase of the revision
+    std::int64_t not_made = 0;  ///< attempts that are not counted
+  };
+  /// Makes the step within a transaction; returns false, without a change, if the job is in another state or attempt.
+  bool leave(SqliteConnection& connection, const Step& step);
   /// Cancels the job within a transaction; returns whether that changed it.
   bool cancel_one(SqliteConnection& connection, const std::string& id, std::int64_t now);
   struct Gone {

@@ -103,14 +103,15 @@ std::string column_list(const SetpointSource& source) {
 
 }  // namespace
 
-bool SqliteStore::succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
+bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
                           std::uint64_t revision, Progress& progress) {
+  const std::string& id = attempt.id;
   const SetpointSource* source = planned.setpoints.get();
   const std::string document = pack_text(api::result_text(planned, progress));
   const auto columns = source ? std::optional(column_list(*source)) : std::nullopt;
   const auto still_running = [&](SqliteConnection& connection) -> std::optional<std::int64_t> {
-    Query job = connection.query("SELECT seq FROM jobs WHERE id = ? AND state = 'running' AND attempt = ?");
-    job << id << std::int64_t{attempt};
+    Query job = connection.query("SELECT seq FROM jobs WHERE id = ? AND state = 'running' AND token = ?");
+    job << id << attempt.token;
     return job.step() ? std::optional(job.integer(0)) : std::nullopt;
   };
 
@@ -121,8 +122,8 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
       Reader reader(*this);  // an earlier call may have been cut off by a full disk
       Query stored = reader.query(
           "SELECT coalesce(max(first_row + row_count), 0) FROM chunks JOIN jobs USING (seq) "
-          "WHERE id = ? AND state = 'running' AND attempt = ?");
-      stored << id << std::int64_t{attempt};
+          "WHERE id = ? AND state = 'running' AND token = ?");
+      stored << id << attempt.token;
       if (stored.step()) first = static_cast<std::size_t>(stored.integer(0));
     }
     Packer packer(planned, first, progress);

@@ -45,7 +45,7 @@ TEST_F(ChangeFeedTest, WakesAtOnceByLocalCommits) {
     const auto woken = wait(id), asleep = wait(other);
     if (step == "claim") claim(*store, 1);
     if (step == "cancel") store->cancel(id, 2);
-    if (step == "end") store->end(id, 1, {api::JobState::cancelled, "{}", 2, 0});
+    if (step == "end") store->end({id, 1}, {api::JobState::cancelled, "{}", 2, 0});
     if (step == "remove") store->remove(id);
     EXPECT_EQ(woken.wait_for(0s), std::future_status::ready) << step;
     EXPECT_EQ(asleep.wait_for(0s), std::future_status::timeout) << step;
@@ -62,7 +62,7 @@ TEST_F(ChangeFeedTest, WakesByAskingWhereAnotherProcessCommits) {
     EXPECT_EQ(woken.wait_for(50ms), std::future_status::timeout) << "before " << step;
     if (step == "claim") claim(*store, 1);
     if (step == "cancel") store->cancel(id, 2);
-    if (step == "end") store->end(id, 1, {api::JobState::cancelled, "{}", 2, 0});
+    if (step == "end") store->end({id, 1}, {api::JobState::cancelled, "{}", 2, 0});
     if (step == "remove") store->remove(id);
     EXPECT_EQ(woken.wait_for(10s), std::future_status::ready) << step;
   }

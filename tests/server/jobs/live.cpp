@@ -7,7 +7,7 @@ namespace {
 
 api::Job running(const std::string& id, int attempt, std::uint64_t revision) {
   api::Job job;
-  job.id = id, job.attempt = attempt, job.revision = revision;
+  job.id = id, job.attempt = attempt, job.token = attempt, job.revision = revision;
   job.state = api::JobState::running;
   return job;
 }

@@ -20,6 +20,7 @@ struct ProgressTest : testing::Test {
     made.id = "j";
     made.state = api::JobState::running;
     made.attempt = 1;
+    made.token = 1;
     made.revision = 10;
     return made;
   }();
@@ -157,10 +158,11 @@ TEST(LiveJob, CoversOnlyItsOwnAttempt) {
   job.id = "j";
   job.state = api::JobState::running;
   job.attempt = 2;
+  job.token = 5;
   LiveJob live(job);
   live.publish(0.7, "grid", "");
   api::Job other = job;
-  other.attempt = 3;
+  other.token = 6;  // put back and claimed again: the attempt's number is the same
   live.overlay(other);
   EXPECT_EQ(other.fraction, 0);
   other = job;

@@ -280,7 +280,7 @@ TEST_F(WorkersTest, StopsWhatWasLost) {
   time.advance(100ms);  // a heartbeat is told
   EXPECT_TRUE(soon([&] { return live.size() == 0; }));
   EXPECT_EQ(store->get(id)->state, JobState::running);
-  EXPECT_TRUE(store->end(id, 2, {JobState::failed, "{}", time.now_ms(), 0})) << "left alone";
+  EXPECT_TRUE(store->end({id, 2}, {JobState::failed, "{}", time.now_ms(), 0})) << "left alone";
 }
 
 }  // namespace

@@ -206,7 +206,7 @@ TEST_F(StoreTest, TakesOverAFileOfTheVersionBefore) {
   EXPECT_EQ(insert(*store, new_job(0, "k", "hash")).id, "05-queued");
   EXPECT_EQ(claim(*store, 9)->id, "02-orphan");
   EXPECT_FALSE(claim(*store, 9)) << "it runs alone";
-  EXPECT_TRUE(store->end("02-orphan", 2, {JobState::failed, "{}", 9, 0}));
+  EXPECT_TRUE(store->end({"02-orphan", 2}, {JobState::failed, "{}", 9, 0}));
   EXPECT_EQ(claim(*store, 9)->request.document, R"({"n":3})");
   EXPECT_EQ(store->remove("01-done"), Removed::yes);
   EXPECT_EQ(store->changes_since(0, 100).list.back().id, "01-done");

@@ -13,6 +13,7 @@ using api::JobState;
 struct ModelJob {
   JobState state = JobState::queued;
   int priority = 0, attempt = 0, order = 0, losses = 0;
+  std::int64_t token = 0;
   bool cancel = false, suspect = false;
   std::size_t rows = 0;
   std::uint64_t revision = 0;
@@ -51,6 +52,7 @@ void compare(Store& store, Model& model) {
     ASSERT_TRUE(job) << id;
     ASSERT_EQ(job->state, expected.state);
     ASSERT_EQ(job->attempt, expected.attempt);
+    ASSERT_EQ(job->token, expected.token);
     ASSERT_EQ(job->request.priority, expected.priority);
     ASSERT_GE(job->revision, expected.revision);
     expected.revision = job->revision;
@@ -103,22 +105,23 @@ TEST_F(StoreTest, BehavesAsTheModel) {
           if (job) {
             model[expected].state = JobState::running;
             ++model[expected].attempt;
+            ++model[expected].token;
           }
           break;
         }
         case 5: {
           const std::string id = any();
-          const int attempt = static_cast<int>(random() % 3);
+          const std::int64_t token = static_cast<std::int64_t>(random() % 3);
           const std::size_t rows = random() % 2 ? random() % 6000 : 0;
-          const bool right = model.count(id) && model[id].state == JobState::running && model[id].attempt == attempt;
-          ASSERT_EQ(store->succeed(id, attempt, ramp_plan(rows), 2, 0, silent), right);
+          const bool right = model.count(id) && model[id].state == JobState::running && model[id].token == token;
+          ASSERT_EQ(store->succeed({id, token}, ramp_plan(rows), 2, 0, silent), right);
           if (right) model[id].state = JobState::succeeded, model[id].rows = rows;
           break;
         }
         case 6: {
           const std::string id = any(JobState::running);
           const bool right = model.count(id) > 0;
-          ASSERT_EQ(store->end(id, right ? model[id].attempt : 1, {JobState::failed, "{}", 2, 0}), right);
+          ASSERT_EQ(store->end({id, right ? model[id].token : 1}, {JobState::failed, "{}", 2, 0}), right);
           if (right) model[id].state = JobState::failed;
           break;
         }
@@ -148,7 +151,7 @@ TEST_F(StoreTest, BehavesAsTheModel) {
           }
           const std::string id = any(JobState::running);
           if (!model.count(id)) break;
-          ASSERT_TRUE(store->requeue(id, model[id].attempt, 2, 0));
+          ASSERT_TRUE(store->requeue({id, model[id].token}, 2, 0));
           if (model[id].cancel) {
             model[id].state = JobState::cancelled;
           } else {

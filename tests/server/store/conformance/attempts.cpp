@@ -1,3 +1,5 @@
+#include <future>
+
 #include "stores.hpp"
 
 namespace bahnwerk::server {
@@ -27,14 +29,14 @@ TYPED_TEST(Attempts, ClaimsByPriorityThenInOrder) {
 TYPED_TEST(Attempts, TakesAResultOnceAndFromTheRightAttempt) {
   auto& store = this->here;
   const std::string id = insert_id(*store);
-  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(10), 2, 0, this->silent)) << "not running yet";
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 2, 0, this->silent)) << "not running yet";
   claim(*store, 1);
-  EXPECT_FALSE(store->succeed(id, 2, ramp_plan(10), 2, 0, this->silent)) << "another attempt";
+  EXPECT_FALSE(store->succeed({id, 2}, ramp_plan(10), 2, 0, this->silent)) << "another attempt";
   EXPECT_FALSE(store->result(id));
-  EXPECT_TRUE(store->succeed(id, 1, ramp_plan(10), 2, 40, this->silent));
-  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(99), 3, 0, this->silent)) << "twice";
-  EXPECT_FALSE(store->end(id, 1, {JobState::failed, "{}", 3, 0}));
-  EXPECT_FALSE(store->requeue(id, 1, 3, 0));
+  EXPECT_TRUE(store->succeed({id, 1}, ramp_plan(10), 2, 40, this->silent));
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(99), 3, 0, this->silent)) << "twice";
+  EXPECT_FALSE(store->end({id, 1}, {JobState::failed, "{}", 3, 0}));
+  EXPECT_FALSE(store->requeue({id, 1}, 3, 0));
   const auto job = store->get(id);
   EXPECT_EQ(job->state, JobState::succeeded);
   EXPECT_EQ(job->finished_at, 2);
@@ -46,14 +48,37 @@ TYPED_TEST(Attempts, TakesAResultOnceAndFromTheRightAttempt) {
 TYPED_TEST(Attempts, RequeuesWithoutCountingTheAttempt) {
   auto& store = this->here;
   const std::string id = insert_id(*store);
-  for (int i = 0; i < 5; ++i) {
-    EXPECT_EQ(claim(*store, 1)->attempt, 1);
-    EXPECT_TRUE(store->requeue(id, 1, 2, 0));
+  for (int i = 1; i <= 5; ++i) {
+    const auto job = claim(*store, 1);
+    EXPECT_EQ(job->attempt, 1);
+    EXPECT_EQ(job->token, i);
+    EXPECT_TRUE(store->requeue({id, i}, 2, 0));
   }
   claim(*store, 1);
   store->cancel(id, 2);
-  EXPECT_TRUE(store->requeue(id, 1, 2, 0));
+  EXPECT_TRUE(store->requeue({id, 6}, 2, 0));
   EXPECT_EQ(store->get(id)->state, JobState::cancelled) << "the wish to cancel is not forgotten";
+}
+
+TYPED_TEST(Attempts, TakesNothingFromAPlannerWhoseJobWasPutBackAndClaimedAgain) {
+  auto& store = this->here;
+  const std::string id = insert_id(*store);
+  const Attempt stuck{id, claim(*store, 1, "a", 500)->token};
+  EXPECT_TRUE(store->requeue(stuck, 2, 0)) << "by the end of its service, which thinks it stuck";
+  const auto again = claim(*this->other, 3, "b", 500);
+  EXPECT_EQ(again->attempt, 1) << "the number returns to use";
+  const Attempt later{id, again->token};
+  EXPECT_FALSE(store->succeed(stuck, ramp_plan(10), 4, 0, this->silent));
+  EXPECT_FALSE(store->end(stuck, {JobState::failed, "{}", 4, 0}));
+  EXPECT_FALSE(store->requeue(stuck, 4, 0));
+  EXPECT_EQ(store->heartbeat({"b", 4, 600}, {stuck}), std::vector{stuck});
+  std::promise<void> stored;
+  store->progress({stuck, 0.5, "half", "", 9}, [&] { stored.set_value(); });
+  stored.get_future().wait();
+  EXPECT_EQ(store->get(id)->fraction, 0);
+  EXPECT_EQ(store->get(id)->state, JobState::running);
+  EXPECT_TRUE(this->other->succeed(later, ramp_plan(20), 5, 0, this->silent));
+  EXPECT_EQ(store->series(id)->count, 20U);
 }
 
 TYPED_TEST(Attempts, Cancels) {
@@ -68,7 +93,7 @@ TYPED_TEST(Attempts, Cancels) {
   EXPECT_TRUE(store->cancel_requested(running));
   EXPECT_FALSE(store->cancel_requested(queued));
   EXPECT_FALSE(store->cancel("none", 5));
-  EXPECT_TRUE(store->end(running, 1, {JobState::cancelled, "{}", 6, 0}));
+  EXPECT_TRUE(store->end({running, 1}, {JobState::cancelled, "{}", 6, 0}));
   EXPECT_EQ(store->cancel(running, 7)->finished_at, 6) << "ended already";
 }
 

@@ -34,13 +34,13 @@ TYPED_TEST(StoredCallbacks, AreDueWithTheEndOfTheJobWhateverEndsIt) {
   auto attempt = claim(*this->here, 0);
   EXPECT_EQ(attempt->id, succeeded);
   EXPECT_TRUE(this->due().empty());
-  ASSERT_TRUE(this->here->succeed(succeeded, 1, ramp_plan(10), 7, 1, this->silent));
+  ASSERT_TRUE(this->here->succeed({succeeded, 1}, ramp_plan(10), 7, 1, this->silent));
   EXPECT_EQ(this->due(), Ids{succeeded});
   EXPECT_EQ(this->here->callback_receivers(), (std::vector<std::pair<std::string, std::int64_t>>{{"r", 7}}));
 
   const auto failed = this->insert_with("r");
   claim(*this->here, 0);
-  ASSERT_TRUE(this->here->end(failed, 1, {.error = "{}", .now = 8, .revision = 1}));
+  ASSERT_TRUE(this->here->end({failed, 1}, {.error = "{}", .now = 8, .revision = 1}));
   const auto cancelled = this->insert_with("r"), in_bulk = this->insert_with("r");
   this->here->cancel(cancelled, 9);
   EXPECT_EQ(this->here->cancel_all({.kind = "ramp"}, 10), 2U);  // and asks the one without
@@ -49,7 +49,7 @@ TYPED_TEST(StoredCallbacks, AreDueWithTheEndOfTheJobWhateverEndsIt) {
   const auto asked = this->insert_with("r");
   claim(*this->here, 0);
   this->here->cancel(asked, 12);
-  ASSERT_TRUE(this->here->requeue(asked, 1, 12, 1));
+  ASSERT_TRUE(this->here->requeue({asked, 1}, 12, 1));
   EXPECT_EQ(this->due(), (Ids{succeeded, failed, cancelled, in_bulk, late, asked}));
   this->restart();
   EXPECT_EQ(this->due(), (Ids{succeeded, failed, cancelled, in_bulk, late, asked}));

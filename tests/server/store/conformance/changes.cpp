@@ -51,7 +51,7 @@ TYPED_TEST(ChangesSince, ShowEveryKindOfChangeOnce) {
   claim(*store, 1, "w", 1000);
   expect({{a, JobState::running}});
   std::promise<void> stored;
-  store->progress({a, 1, 0.5, "half", "", 9}, [&] { stored.set_value(); });
+  store->progress({{a, 1}, 0.5, "half", "", 9}, [&] { stored.set_value(); });
   stored.get_future().wait();
   expect({});  // progress is no change of a job's state
   store->cancel(a, 2);
@@ -63,15 +63,15 @@ TYPED_TEST(ChangesSince, ShowEveryKindOfChangeOnce) {
   store->cancel("none", 3);
   store->heartbeat({"w", 3, 1500}, {{a, 1}});
   EXPECT_EQ(store->remove(a), Removed::running);
-  EXPECT_FALSE(store->end(a, 2, {JobState::failed, "{}", 4, 0}));
+  EXPECT_FALSE(store->end({a, 2}, {JobState::failed, "{}", 4, 0}));
   expect({});
-  EXPECT_TRUE(store->end(a, 1, {JobState::cancelled, "{}", 4, 0}));
+  EXPECT_TRUE(store->end({a, 1}, {JobState::cancelled, "{}", 4, 0}));
   expect({{a, JobState::cancelled}});
   claim(*store, 5);
-  store->requeue(b, 1, 6, 0);
+  store->requeue({b, 1}, 6, 0);
   expect({{b, JobState::queued}});  // twice, but its last state is what counts
   claim(*store, 7);
-  EXPECT_TRUE(store->succeed(b, 1, ramp_plan(5000), 8, 0, this->silent));
+  EXPECT_TRUE(store->succeed({b, 2}, ramp_plan(5000), 8, 0, this->silent));
   expect({{b, JobState::succeeded}});
   EXPECT_EQ(store->remove(b), Removed::yes);
   expect({{b, std::nullopt}});
@@ -143,12 +143,12 @@ TYPED_TEST(ChangesSince, CallBackAtOnceOfTheirOwnCommits) {
   EXPECT_EQ(take(), (List{{id, JobState::queued}})) << "before the call returns";
   claim(*store, 1);
   EXPECT_EQ(take(), (List{{id, JobState::running}}));
-  EXPECT_FALSE(store->end(id, 2, {JobState::failed, "{}", 2, 0}));
+  EXPECT_FALSE(store->end({id, 2}, {JobState::failed, "{}", 2, 0}));
   EXPECT_TRUE(take().empty());
   store->cancel(id, 2);
   EXPECT_EQ(take(), (List{{id, JobState::running}}));
   EXPECT_TRUE(cancelled);
-  EXPECT_TRUE(store->end(id, 1, {JobState::cancelled, "{}", 3, 0}));
+  EXPECT_TRUE(store->end({id, 1}, {JobState::cancelled, "{}", 3, 0}));
   EXPECT_EQ(take(), (List{{id, JobState::cancelled}}));
   store->remove(id);
   EXPECT_EQ(take(), (List{{id, std::nullopt}}));

@@ -25,12 +25,12 @@ TYPED_TEST(Leases, GiveTheJobToAnotherWhenTheyRunOut) {
   EXPECT_EQ(again->attempt, 2);
   EXPECT_EQ(again->started_at, 1500);
   EXPECT_GT(again->revision, revision + 1000) << "clients may have seen revisions that were never stored";
-  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(10), 1600, 0, this->silent)) << "its attempt is over";
-  EXPECT_FALSE(store->end(id, 1, {JobState::failed, "{}", 1600, 0}));
-  EXPECT_FALSE(store->requeue(id, 1, 1600, 0));
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 1600, 0, this->silent)) << "its attempt is over";
+  EXPECT_FALSE(store->end({id, 1}, {JobState::failed, "{}", 1600, 0}));
+  EXPECT_FALSE(store->requeue({id, 1}, 1600, 0));
   EXPECT_EQ(store->heartbeat({"a", 1600, 2100}, {{id, 1}}), (std::vector<Attempt>{{id, 1}}));
   EXPECT_EQ(store->get(id)->state, JobState::running);
-  EXPECT_TRUE(this->other->succeed(id, 2, ramp_plan(10), 1700, 0, this->silent));
+  EXPECT_TRUE(this->other->succeed({id, 2}, ramp_plan(10), 1700, 0, this->silent));
 }
 
 TYPED_TEST(Leases, AreExtendedByAHeartbeat) {
@@ -46,7 +46,7 @@ TYPED_TEST(Leases, AreExtendedByAHeartbeat) {
   EXPECT_FALSE(claim(*this->other, 1899, "b", 500));
   EXPECT_TRUE(store->heartbeat({"a", 1950, 2500}, {{kept, 1}}).empty()) << "late, but nobody had noticed";
   EXPECT_FALSE(store->expire(2050).lost == std::vector{kept});
-  EXPECT_TRUE(store->end(kept, 1, {JobState::failed, "{}", 2600, 0})) << "its attempt is still the one";
+  EXPECT_TRUE(store->end({kept, 1}, {JobState::failed, "{}", 2600, 0})) << "its attempt is still the one";
 }
 
 TYPED_TEST(Leases, OfAJobThatRanAloneAreLostThreeTimesAtMost) {
@@ -99,10 +99,10 @@ TYPED_TEST(Leases, OfSuspectsAreNotSharedWithInnocents) {
   EXPECT_EQ(claim(*store, 2000, "a", 500)->id, early);
   insert_id(*store);
   EXPECT_FALSE(claim(*store, 2000, "a", 500)) << "the suspect is next, and something runs";
-  EXPECT_TRUE(store->end(early, 1, {JobState::failed, "{}", 2100, 0}));
+  EXPECT_TRUE(store->end({early, 1}, {JobState::failed, "{}", 2100, 0}));
   EXPECT_EQ(claim(*store, 2100, "a", 500)->id, suspect);
   EXPECT_FALSE(claim(*store, 2100, "a", 500)) << "nothing begins beside it";
-  EXPECT_TRUE(store->succeed(suspect, 2, ramp_plan(10), 2200, 0, this->silent));
+  EXPECT_TRUE(store->succeed({suspect, 2}, ramp_plan(10), 2200, 0, this->silent));
   EXPECT_TRUE(claim(*store, 2200, "a", 500));
 }
 
@@ -122,8 +122,9 @@ TYPED_TEST(Leases, AreNotLostByARequeue) {
   claim(*store, 1000, "a", 500);
   store->expire(1500);
   for (int i = 0; i < 3; ++i) {  // one attempt was lost; what is put back is not counted
-    EXPECT_EQ(claim(*store, 2000, "b", 500)->attempt, 2);
-    EXPECT_TRUE(store->requeue(id, 2, 2100, 0));
+    const auto job = claim(*store, 2000, "b", 500);
+    EXPECT_EQ(job->attempt, 2);
+    EXPECT_TRUE(store->requeue({id, job->token}, 2100, 0));
   }
 }
 
@@ -153,7 +154,7 @@ TYPED_TEST(Leases, GiveEveryJobToOneOfManyThreads) {
           const std::lock_guard lock(mutex);
           claimed.insert(job->id);
         }
-        EXPECT_TRUE(mine.end(job->id, 1, {JobState::failed, "{}", 2000, 0}));
+        EXPECT_TRUE(mine.end({job->id, 1}, {JobState::failed, "{}", 2000, 0}));
       }
     });
   for (auto& thread : list) thread.join();

@@ -61,7 +61,7 @@ TYPED_TEST(Looks, OpensTextsInPiecesThatAreGoneWithTheirJob) {
     EXPECT_EQ(claim(*store, 1)->request.document, text);
     api::PlannedJob planned = ramp_plan(1);
     planned.result["text"] = text;
-    ASSERT_TRUE(store->succeed(id, 1, planned, 2, 0, this->silent));
+    ASSERT_TRUE(store->succeed({id, 1}, planned, 2, 0, this->silent));
     EXPECT_EQ(store->result(id), planned.result.dump());
     const auto result = store->open_result(id);
     store->remove(id);
@@ -102,9 +102,9 @@ TYPED_TEST(Looks, CountsTheJobsOfEveryState) {
   expect(5, 0, 0, 0, 0);
   const auto good = claim(*store, 1)->id, bad = claim(*store, 1)->id, back = claim(*store, 1)->id;
   expect(2, 3, 0, 0, 0);
-  EXPECT_TRUE(store->succeed(good, 1, ramp_plan(1), 2, 0, this->silent));
-  EXPECT_TRUE(store->end(bad, 1, {JobState::failed, "{}", 2, 0}));
-  EXPECT_TRUE(store->requeue(back, 1, 2, 0));
+  EXPECT_TRUE(store->succeed({good, 1}, ramp_plan(1), 2, 0, this->silent));
+  EXPECT_TRUE(store->end({bad, 1}, {JobState::failed, "{}", 2, 0}));
+  EXPECT_TRUE(store->requeue({back, 1}, 2, 0));
   expect(3, 0, 1, 1, 0);
   EXPECT_EQ(store->cancel(back, 3)->state, JobState::cancelled);
   expect(2, 0, 1, 1, 1);
@@ -120,7 +120,7 @@ TYPED_TEST(Looks, RemovesWhatDoesNotRun) {
   const std::string id = insert_id(*store);
   claim(*store, 1);
   EXPECT_EQ(store->remove(id), Removed::running);
-  EXPECT_TRUE(store->succeed(id, 1, ramp_plan(10), 2, 0, this->silent));
+  EXPECT_TRUE(store->succeed({id, 1}, ramp_plan(10), 2, 0, this->silent));
   EXPECT_EQ(store->remove(id), Removed::yes);
   EXPECT_FALSE(store->get(id));
   EXPECT_FALSE(store->result(id));
@@ -136,7 +136,7 @@ TYPED_TEST(Looks, RemovesOnlyWhileTheConditionHoldsInTheSameTransaction) {
   const auto unchanged = [&](const api::Job& job) { return job.id == id && job.revision == revision; };
   claim(*store, 1);
   EXPECT_EQ(store->remove(id, unchanged), Removed::running) << "a running job is not asked about";
-  EXPECT_TRUE(store->requeue(id, 1, 2, revision + 5));
+  EXPECT_TRUE(store->requeue({id, 1}, 2, revision + 5));
   EXPECT_EQ(store->remove(id, unchanged), Removed::refused);
   EXPECT_TRUE(store->get(id));
   EXPECT_EQ(store->remove("unknown", unchanged), Removed::unknown);

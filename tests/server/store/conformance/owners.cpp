@@ -46,7 +46,7 @@ TYPED_TEST(Owners, QuotasCountQueuedJobsAndThePlanningTimeOfTheDay) {
   job.owner = "other";
   EXPECT_EQ(insert(store, job).what, Inserted::What::created);
   const auto claimed = claim(store, job.now);
-  EXPECT_TRUE(store.end(id, claimed->attempt, {.error = "{}", .now = job.now + 5000, .revision = 1}));
+  EXPECT_TRUE(store.end({id, claimed->token}, {.error = "{}", .now = job.now + 5000, .revision = 1}));
   job = owned("acme");
   job.max_planning_ms = 5000;
   EXPECT_EQ(insert(store, job).what, Inserted::What::planning_spent);

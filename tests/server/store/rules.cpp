@@ -1,4 +1,4 @@
-#include "server/store/problems.hpp"
+#include "server/store/rules.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 namespace bahnwerk::server {
 namespace {
 
-TEST(StoreProblems, EachNamesItsJobAndHasATypeOfItsOwn) {
+TEST(StoreRules, ErrorsNameTheirJobAndHaveTypesOfTheirOwn) {
   const std::string id = "0190-a";
-  const std::string texts[] = {cancelled_error(id), deadline_error(id), lost_error(id, 3)};
+  const std::string texts[] = {after_cancel(id).error, after_deadline(id).error, after_loss(id, 3, false).error};
   const char* types[] = {"cancelled", "deadline-exceeded", "worker-lost"};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto document = nlohmann::json::parse(texts[i]);
@@ -18,6 +18,14 @@ TEST(StoreProblems, EachNamesItsJobAndHasATypeOfItsOwn) {
     EXPECT_FALSE(document["detail"].get<std::string>().empty());
   }
   EXPECT_NE(texts[2].find("3 times"), std::string::npos);
+}
+
+TEST(StoreRules, AWishToCancelIsNotForgotten) {
+  EXPECT_EQ(after_loss("a", 1, true).state, api::JobState::cancelled);
+  EXPECT_EQ(after_requeue("a", true).state, api::JobState::cancelled);
+  EXPECT_EQ(after_requeue("a", false).state, api::JobState::queued);
+  EXPECT_EQ(after_loss("a", 2, false).state, api::JobState::queued);
+  EXPECT_EQ(after_loss("a", 3, false).state, api::JobState::failed);
 }
 
 }  // namespace
