@@ -7,6 +7,7 @@
 #include "server/http/key_gate.hpp"
 #include "server/http/middleware.hpp"
 #include "server/http/packing.hpp"
+#include "server/pages/assets.hpp"
 #include "server/routes/examples.hpp"
 #include "server/routes/login.hpp"
 #include "server/runtime/clock.hpp"
@@ -126,6 +127,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   add_example_routes(router_, *context_);
   add_health_routes(router_, *context_);
   add_page_routes(router_, *context_);
+  add_asset_routes(router_);
   keys_ = std::make_unique<KeyRing>(*store_, [this] { notifier_.all_changed(); });
   add_login_routes(router_, *keys_);
   gate_ = std::make_unique<KeyGate>(*keys_, *store_, *pool_, login_page);

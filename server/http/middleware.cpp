@@ -105,7 +105,7 @@ Middleware prefixed() {
           response.set("Location", prefix + *location);
         // In a page no text of a user has a quotation mark that is not escaped.
         if (response.header("Content-Type").value_or("").starts_with("text/html"))
-          for (const std::string_view attribute : {" href=\"/", " src=\"/", " action=\"/"})
+          for (const std::string_view attribute : {" href=\"/", " src=\"/", " action=\"/", " data-base=\"/"})
             for (std::size_t at = response.body.find(attribute); at != std::string::npos;
                  at = response.body.find(attribute, at + attribute.size() + prefix.size()))
               response.body.insert(at + attribute.size() - 1, prefix);

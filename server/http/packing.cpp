@@ -21,8 +21,8 @@ std::string packed_tag(const std::string& etag) { return etag.substr(0, etag.siz
 
 bool may_be_packed(const Response& response) {
   const auto type = response.header("Content-Type");
-  return type && !response.feed && !type->starts_with("text/event-stream") && response.status != 204 &&
-         response.status != 304 &&
+  return type && !response.feed && !response.header("Content-Encoding") && !type->starts_with("text/event-stream") &&
+         response.status != 204 && response.status != 304 &&
          (response.stream ? response.length.value_or(worth_packing) : response.body.size()) >= worth_packing;
 }
 

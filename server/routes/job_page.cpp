@@ -14,8 +14,8 @@
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/uri.hpp"
+#include "server/pages/shell.hpp"
 #include "server/routes/blocks.hpp"
-#include "server/routes/html.hpp"
 #include "server/routes/result_html.hpp"
 #include "server/routes/stored_series.hpp"
 
@@ -182,9 +182,23 @@ std::string limits_and_blocks(Context& context, const api::Job& job) {
   return text + slowest_blocks(blocks_answer(context.store, job.id, series, *table, query));
 }
 
+/// Returns the element that tells the page's module which job it shows, and the size and columns of its series.
+std::string job_element(Context& context, const api::Job& job) {
+  std::string text = "<div id=\"job\" data-id=\"" + job.id + "\" data-kind=\"" + escape_html(job.request.kind) +
+                     "\" data-state=\"" + std::string(api::to_string(job.state)) + "\"";
+  const auto info = final(job) ? context.store.series(job.id) : std::nullopt;
+  if (info) {
+    std::string columns;
+    for (const auto& column : info->columns) columns += (columns.empty() ? "" : ",") + column.name;
+    text += " data-rows=\"" + std::to_string(info->count) + "\" data-cycle=\"" +
+            nlohmann::json(info->cycle_time).dump() + "\" data-columns=\"" + escape_html(columns) + "\"";
+  }
+  return text + "></div>\n";
+}
+
 std::string body(Context& context, const api::Job& job, const ordered_json& result) {
   const std::string page = "/jobs/" + job.id;
-  std::string text = "<nav><a href=\"/\">all jobs</a></nav>\n";
+  std::string text = job_element(context, job);
   text += result.is_object()
               ? verdict_line(result)
               : "<p class=\"lead\">" + state_label(job) + " · " + escape_html(job.request.kind) + "</p>\n";
@@ -197,7 +211,9 @@ std::string body(Context& context, const api::Job& job, const ordered_json& resu
     const ordered_json verdict = result.value("verification", ordered_json());
     const bool failed = job.state == api::JobState::failed;  // then the checks say why, and come first
     if (failed) text += verification(verdict);
-    text += limits_and_blocks(context, job) + drawings(page, details);
+    text += limits_and_blocks(context, job);
+    if (result.contains("setpoints")) text += "<section id=\"curves\"></section>\n<section id=\"path\"></section>\n";
+    text += "<section id=\"kind\"></section>\n" + drawings(page, details);
     text += "<h2>Summary</h2>\n" + figures(result.value("summary", ordered_json()), job.request.kind, "summary");
     if (result.contains("bound")) text += "<h2>Bound</h2>\n" + figures(result["bound"], job.request.kind, "bound");
     if (details.contains("notes") && !details["notes"].empty()) {
@@ -209,11 +225,6 @@ std::string body(Context& context, const api::Job& job, const ordered_json& resu
   }
   text += "<h2>Job</h2>\n" + facts(job);
   return text + downloads("/v1/jobs/" + job.id, page, result);
-}
-
-Response uncached(Response response) {
-  response.set("Cache-Control", "no-store");
-  return response;
 }
 
 }  // namespace
@@ -242,7 +253,7 @@ Response job_page(Context& context, const Request& request) {
   if (final(job))
     if (const auto text = context.store.open_result(job.id)) result = read_result(*text);
   const std::string title = job.request.name && !job.request.name->empty() ? *job.request.name : "Job " + job.id;
-  return uncached(html_page(title, body(context, job, result), final(job) ? 0 : 2));
+  return tagged_page(request, {.title = title, .body = body(context, job, result), .module = "job"});
 }
 
 Response drawing(Context& context, const Request& request) {

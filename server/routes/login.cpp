@@ -4,7 +4,7 @@
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
 #include "server/http/uri.hpp"
-#include "server/routes/html.hpp"
+#include "server/pages/shell.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -16,18 +16,16 @@ std::string local_path(const std::string& text) {
   return local ? text : "/";
 }
 
-Response form(const std::string& to, bool wrong) {
+Response form(const Request& request, const std::string& to, bool wrong) {
   const std::string note = wrong ? "<p class=\"error\">This key is not valid.</p>\n" : "";
-  Response response = html_page("Bahnwerk", note +
-                                                "<form method=\"post\" action=\"/login\"><p>Jobs are shown to whoever "
-                                                "has a key: <input type=\"password\" name=\"key\" "
-                                                "autocomplete=\"current-password\" required autofocus> <input "
-                                                "type=\"hidden\" name=\"to\" value=\"" +
-                                                escape_html(to) + "\"><button>Show</button></p></form>\n");
-  std::string policy = response.header("Content-Security-Policy").value_or("");
-  const std::string_view none = "form-action 'none'";
-  if (const auto at = policy.find(none); at != std::string::npos) policy.replace(at, none.size(), "form-action 'self'");
-  response.set("Content-Security-Policy", policy);
+  Response response =
+      html_page(request, {.title = "Bahnwerk",
+                          .body = note +
+                                  "<form method=\"post\" action=\"/login\"><p>Jobs are shown to whoever has a key: "
+                                  "<input type=\"password\" name=\"key\" autocomplete=\"current-password\" required "
+                                  "autofocus> <input type=\"hidden\" name=\"to\" value=\"" +
+                                  escape_html(to) + "\"><button>Show</button></p></form>\n",
+                          .module = "plain"});
   response.set("Cache-Control", "no-store");
   response.set("WWW-Authenticate",
                std::string("Bearer realm=\"bahnwerk\"") + (wrong ? ", error=\"invalid_token\"" : ""));
@@ -48,7 +46,7 @@ Response login(const KeyRing& keys, const Request& request) {
     if (name == "key") key = value;
     if (name == "to") to = local_path(value);
   }
-  if (!keys.find(key)) return form(to, true);
+  if (!keys.find(key)) return form(request, to, true);
   Response response;
   response.status = 303;
   response.set("Location", to);
@@ -65,7 +63,7 @@ Response login_page(const Request& request, bool wrong) {
   if (request.header("accept").value_or("").find("text/html") == std::string::npos)
     return problem_answer(api::Problem("unauthorized", "This service needs a key."), request.target)
         .set("WWW-Authenticate", "Bearer realm=\"bahnwerk\"");
-  return form(local_path(request.target), wrong);
+  return form(request, local_path(request.target), wrong);
 }
 
 void add_login_routes(Router& router, const KeyRing& keys) {

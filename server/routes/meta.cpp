@@ -10,8 +10,8 @@
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
+#include "server/pages/shell.hpp"
 #include "server/routes/context.hpp"
-#include "server/routes/html.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -63,15 +63,16 @@ void problem_page(const RequestPtr& request, const Reply& reply) {
   if (*chosen == 0) {
     const std::string where = type->status ? "HTTP status " + std::to_string(type->status)
                                            : std::string("found in the <code>error</code> of a job");
-    response = html_page(type->title, "<p><code>/problems/" + std::string(type->slug) + "</code>, " + where +
-                                          "</p>\n<p>" + prose_html(type->advice) + "</p>\n");
+    const std::string body = "<p><code>/problems/" + std::string(type->slug) + "</code>, " + where + "</p>\n<p>" +
+                             prose_html(type->advice) + "</p>\n";
+    response = html_page(*request, {.title = std::string(type->title), .body = body, .module = "plain"});
   } else {
     nlohmann::ordered_json document{{"type", "/problems/" + std::string(type->slug)}, {"title", type->title}};
     if (type->status) document["status"] = type->status;
     document["advice"] = type->advice;
     response = json_answer(200, document);
   }
-  response.set("Vary", "Accept");
+  response.set("Vary", *chosen == 0 ? "Accept, Accept-Language, Cookie" : "Accept");
   reply(std::move(response));
 }
 
@@ -82,7 +83,7 @@ void add_meta_routes(Router& router, Context&) {
   router.add("GET", "/openapi.json", Access::any,
              constant([] { return api::openapi_document().dump(2); }, "application/json"));
   router.add("GET", "/v1/schemas/{name}", Access::any, schema);
-  router.add("GET", "/problems/{slug}", Access::open, problem_page);
+  router.add("GET", "/problems/{slug}", Access::open, problem_page, {"lang"});
 }
 
 }  // namespace bahnwerk::server

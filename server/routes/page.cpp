@@ -4,8 +4,8 @@
 #include "server/http/accept.hpp"
 #include "server/http/key_gate.hpp"
 #include "server/http/middleware.hpp"
+#include "server/pages/shell.hpp"
 #include "server/routes/context.hpp"
-#include "server/routes/html.hpp"
 #include "server/routes/job_page.hpp"
 #include "server/routes/result_html.hpp"
 
@@ -56,9 +56,7 @@ Response list_page(Context& context, const Request& request) {
     context.live.overlay(job);
     body += row(context, job);
   }
-  Response response = html_page("Bahnwerk", body + "</table></div>\n");
-  response.set("Cache-Control", "no-store");
-  return response;
+  return tagged_page(request, {.title = "Bahnwerk", .body = body + "</table></div>\n", .module = "jobs"});
 }
 
 }  // namespace
@@ -66,7 +64,8 @@ Response list_page(Context& context, const Request& request) {
 void add_page_routes(Router& router, Context& context) {
   const auto add = [&](const char* pattern, Response (*page)(Context&, const Request&)) {
     router.add("GET", pattern, Access::page,
-               on_pool(context.scans, [&context, page](const Request& request) { return page(context, request); }));
+               on_pool(context.scans, [&context, page](const Request& request) { return page(context, request); }),
+               {"lang"});
   };
   add("/", list_page);
   add("/jobs/{id}", job_page);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "api/setpoints/result_units.hpp"
-#include "server/routes/html.hpp"
+#include "server/pages/shell.hpp"
 
 namespace bahnwerk::server {
 namespace {

@@ -1,0 +1,54 @@
+/** What the panels of a job's page know of a planned job. The service writes it into the page, so that it costs no request. */
+import { getJson } from "./api";
+import { SharedView, readAddress } from "./view";
+
+/** One limit of GET /v1/jobs/{id}/limits. */
+export interface Limit {
+  id: number;
+  name: string;
+  unit: string | null;
+  value: number | null;
+  column?: string;
+  time: number;
+  share: number;
+  intervals?: unknown[];
+}
+
+export interface LimitsAnswer {
+  limits: Limit[];
+  index?: number[]; // first row of each interval
+  shares?: number[][]; // share of time of each limit in each interval
+}
+
+export interface PlannedJob {
+  id: string;
+  kind: string;
+  rows: number;
+  cycle: number; // unit of the independent variable per row: s, or degrees of a law over an angle
+  columns: string[];
+  view: SharedView;
+  /** Answers GET …/limits?points=400 of the whole series; asked once, whoever needs it first. */
+  limits(): Promise<LimitsAnswer>;
+}
+
+/** Number of intervals of the overview. */
+export const overviewPoints = 400;
+
+/** Returns the planned job of this page, null where the page's job has no setpoints. */
+export function plannedJob(): PlannedJob | null {
+  const element = document.getElementById("job");
+  const { id, kind, rows, cycle, columns } = element?.dataset ?? {};
+  if (!id || !kind || !rows || !cycle || !columns) return null;
+  const state = readAddress();
+  const number = (name: string): number | undefined => (name in state ? Number(state[name]) : undefined);
+  const view = new SharedView(Number(rows), {
+    ...(number("first") !== undefined ? { first: number("first")! } : {}),
+    ...(number("count") !== undefined ? { count: number("count")! } : {}),
+    ...(number("row") !== undefined ? { row: number("row")!, locked: state.locked === "1" } : {}),
+  });
+  let limits: Promise<LimitsAnswer> | undefined;
+  return {
+    id, kind, rows: Number(rows), cycle: Number(cycle), columns: columns.split(","), view,
+    limits: () => (limits ??= getJson<LimitsAnswer>(`/v1/jobs/${id}/limits?points=${overviewPoints}`)),
+  };
+}

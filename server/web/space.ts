@@ -1,0 +1,2 @@
+/** Views in space, loaded by pages that need them alone. */
+export {};
