@@ -10,6 +10,7 @@
 #include "server/pages/assets.hpp"
 #include "server/routes/examples.hpp"
 #include "server/routes/login.hpp"
+#include "server/routes/problem_page.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/descriptors.hpp"
 #include "server/runtime/log.hpp"
@@ -49,9 +50,10 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
     : options_(options), time_(time), notifier_(time) {
   // The address first: whoever cannot have it must not leave a new database behind. Nobody is answered before start().
   const auto offload = [this](std::function<void()> work) { scans_->post(std::move(work)); };
-  const Handler handler = compose({request_id(), access_log(options.logged_requests), audit(), count(metrics_),
-                                   cors(hosts_), pack_answers(offload), guard(), prefixed(), same_site(hosts_)},
-                                  [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
+  const Handler handler =
+      compose({request_id(), access_log(options.logged_requests), audit(), count(metrics_), cors(hosts_),
+               pack_answers(offload), prefixed(), problem_pages(), guard(), same_site(hosts_)},
+              [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
   check_origins(options.cors_origins);
   const CallbackHosts callback_hosts(options.callback_hosts);
   listener_ = std::make_unique<Listener>(

@@ -6,6 +6,7 @@
 #include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/forwarded.hpp"
+#include "server/http/same_site.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -26,10 +27,12 @@ std::optional<std::string> bearer(const Request& request) {
   return std::string(trimmed(std::string_view(*header).substr(scheme.size())));
 }
 
-/// Returns the key in a browser's cookie. Requests that change something do not get by with it: whatever page makes a
-/// browser send it, nothing changes.
+/// Returns the key in a browser's cookie. A request that changes something gets by with it only where its Origin, which
+/// browsers set and pages cannot, is this service: pages of others, and programs that say none, change nothing with it.
 std::optional<std::string> cookie(const Request& request) {
-  if (request.method != "GET" && request.method != "HEAD") return std::nullopt;
+  const bool reads = request.method == "GET" || request.method == "HEAD";
+  const auto origin = request.header("origin");
+  if (!reads && !(origin && same_origin(*origin, request.authority))) return std::nullopt;
   const std::string all = request.header("cookie").value_or("");
   for (std::string_view rest = all; !rest.empty();) {
     const std::size_t end = rest.find_first_of(";,");

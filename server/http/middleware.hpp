@@ -1,5 +1,5 @@
 #pragma once
-/// Steps of every request, from the outside: request_id, access_log, audit, count, guard, prefixed.
+/// Steps of every request, from the outside: request_id, access_log, audit, count, prefixed, guard.
 #include "server/http/message.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/runtime/pool.hpp"

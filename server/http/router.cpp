@@ -113,6 +113,9 @@ void Router::operator()(const RequestPtr& request, const Reply& reply) const {
     const Method& method = handler->second;
     if (gate_)
       if (auto refusal = gate_->refuse(method.access, *request)) return reply(std::move(*refusal));
+    // A form of a page sends its empty fields, too: they say nothing.
+    if (method.access == Access::page)
+      std::erase_if(request->query, [](const auto& parameter) { return parameter.second.empty(); });
     check_query(request->query, method.query);
     return gate_ ? gate_->pass(request, reply, method.handler) : method.handler(request, reply);
   }

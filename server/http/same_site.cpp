@@ -23,14 +23,6 @@ std::string port_of(const std::string& authority, const std::string& scheme) {
   return !port.empty() ? port : scheme == "https" ? "443" : "80";
 }
 
-bool same_origin(const std::string& origin, const std::string& authority) {
-  const std::size_t end = origin.find("://");
-  if (end == std::string::npos) return false;
-  const std::string scheme = origin.substr(0, end), other = origin.substr(end + 3);
-  const auto host = host_of(other);
-  return host && host == host_of(authority) && port_of(other, scheme) == port_of(authority, scheme);
-}
-
 bool allows(const AllowedHosts& hosts, const std::string& origin) {
   return std::find(hosts.origins.begin(), hosts.origins.end(), origin) != hosts.origins.end();
 }
@@ -47,6 +39,14 @@ void check(const AllowedHosts& hosts, const Request& request) {
 }
 
 }  // namespace
+
+bool same_origin(const std::string& origin, const std::string& authority) {
+  const std::size_t end = origin.find("://");
+  if (end == std::string::npos) return false;
+  const std::string scheme = origin.substr(0, end), other = origin.substr(end + 3);
+  const auto host = host_of(other);
+  return host && host == host_of(authority) && port_of(other, scheme) == port_of(authority, scheme);
+}
 
 bool AllowedHosts::contain(const std::string& host) const {
   return any || loopback(host) || std::find(names.begin(), names.end(), host) != names.end();

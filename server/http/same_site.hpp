@@ -17,6 +17,9 @@ struct AllowedHosts {
   bool contain(const std::string& host) const;
 };
 
+/// Tells whether an Origin header [RFC 6454] names the host and port that were asked, HOST[:PORT].
+bool same_origin(const std::string& origin, const std::string& authority);
+
 /// Returns the names for a service that listens at `bound` (HOST:PORT, an address), as it was told to at `listen`:
 /// `given`, if there are any; else every name beyond loopback, and on loopback those of loopback and of `listen`.
 AllowedHosts allowed_hosts(const std::string& listen, const std::string& bound, const std::vector<std::string>& given);

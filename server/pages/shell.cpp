@@ -1,6 +1,7 @@
 #include "server/pages/shell.hpp"
 
 #include "server/http/answer.hpp"
+#include "server/keys/key_ring.hpp"
 #include "server/pages/assets.hpp"
 #include "server/runtime/sha256.hpp"
 
@@ -44,7 +45,12 @@ std::string navigation(const Request& request, const Texts& text) {
             escape_html(in_language(request, language)) + "\"" + (here ? " aria-current=\"true\"" : "") + ">" +
             (language == Language::en ? "English" : "Deutsch") + "</a>";
   }
-  return html + "</nav></header>\n";
+  html += "</nav>";
+  if (request.key)
+    html += "<form class=\"log-out\" method=\"post\" action=\"/logout\"><button title=\"" +
+            escape_html(text("login.as", {{"name", request.key->key.name}})) + "\">" +
+            escape_html(text("login.log_out")) + "</button></form>";
+  return html + "</header>\n";
 }
 
 bool known(const Request& request, const std::string& etag) {

@@ -60,9 +60,12 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"GET /readyz", 200},
                                          {"GET /metrics", 200},
                                          {"GET /", 200},
+                                         {"GET /new", 200},
+                                         {"GET /compare", 200},
                                          {"GET /jobs/{id}", 200},
                                          {"GET /jobs/{id}/drawings/{name}", 204},  // a job without drawings: see below
-                                         {"POST /login", 415}};
+                                         {"POST /login", 415},
+                                         {"POST /logout", 303}};
 
 TEST_F(ServiceKeysTest, EveryRouteAsksWhoItIs) {
   const std::string read = add("acme", "read"), submit = add("acme", "submit"), admin = add("boss", "admin"),

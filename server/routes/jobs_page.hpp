@@ -1,0 +1,15 @@
+#pragma once
+/// The page with the list of jobs.
+#include "server/routes/context.hpp"
+
+namespace bahnwerk::server {
+
+/// Throws Problem not-acceptable unless the request accepts text/html.
+void require_page(const Request& request);
+
+/// Answers the list of jobs as a page, with the filters that GET /v1/jobs takes, 50 jobs at a time; where there is no
+/// job at all, what a newcomer needs. With Accept: application/json it answers what the page's module follows:
+/// {"jobs": job resources with "duration", s or null, "next", "counts"}, tagged.
+Response jobs_page(Context& context, const Request& request);
+
+}  // namespace bahnwerk::server
