@@ -60,7 +60,10 @@ Listed read_list(Context& context, const Request& request) {
   return listed;
 }
 
-Response data(Context& context, const Request& request) {
+}  // namespace
+
+Response jobs_data(Context& context, const Request& request) {
+  require_json(request);
   const Listed listed = read_list(context, request);
   auto list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < listed.jobs.size(); ++i) {
@@ -75,8 +78,10 @@ Response data(Context& context, const Request& request) {
   if (listed.next) document["next"] = *listed.next;
   Response response = json_answer(200, document);
   const std::string etag = "\"" + sha256(response.body).substr(0, 32) + "\"";
-  return with_etag(request, etag, std::move(response)).set("Vary", "Accept, Cookie");
+  return with_etag(request, etag, std::move(response)).set("Vary", "Cookie");
 }
+
+namespace {
 
 std::string parameter(const Request& request, std::string_view name) {
   for (const auto& [key, value] : request.query)
@@ -234,10 +239,7 @@ void require_page(const Request& request) {
 }
 
 Response jobs_page(Context& context, const Request& request) {
-  static constexpr std::array<std::string_view, 2> offers{"text/html", "application/json"};
-  const auto chosen = negotiate(request.header("accept"), offers);
-  if (!chosen) throw api::Problem("not-acceptable", "This page comes as text/html.");
-  if (*chosen == 1) return data(context, request);
+  require_page(request);
   const Texts text(language_of(request));
   const Listed listed = read_list(context, request);
   const bool any =
@@ -250,12 +252,11 @@ Response jobs_page(Context& context, const Request& request) {
   else
     body = chips(request, text, listed) + filter_form(request, text) + "<div id=\"bulk\"></div>\n" +
            table(context, request, text, listed);
-  Response response = tagged_page(
+  return tagged_page(
       request, {.title = "Bahnwerk",
                 .body = body,
                 .module = "jobs",
                 .heading = "<h1>" + escape_html(text(!any && plain ? "jobs.welcome" : "shell.jobs")) + "</h1>\n"});
-  return response.set("Vary", "Accept, Accept-Language, Cookie");
 }
 
 }  // namespace bahnwerk::server

@@ -61,11 +61,14 @@ void problem_page(const RequestPtr& request, const Reply& reply) {
   if (type == types.end()) throw api::Problem("not-found", "There is no problem type " + api::shortened(slug) + ".");
   Response response;
   if (*chosen == 0) {
-    const std::string where = type->status ? "HTTP status " + std::to_string(type->status)
-                                           : std::string("found in the <code>error</code> of a job");
-    const std::string body = "<p><code>/problems/" + std::string(type->slug) + "</code>, " + where + "</p>\n<p>" +
-                             prose_html(type->advice) + "</p>\n";
-    response = html_page(*request, {.title = std::string(type->title), .body = body, .module = "plain"});
+    const Texts text(language_of(*request));
+    const std::string where =
+        type->status ? text("errors.status", {{"status", std::to_string(type->status)}}) : text("errors.in_job");
+    const std::string body = "<p><code>/problems/" + std::string(type->slug) + "</code>, " + prose_html(where) +
+                             "</p>\n<p lang=\"en\">" + prose_html(type->advice) + "</p>\n";
+    response = html_page(
+        *request,
+        {.title = text.find("errors.title_" + std::string(type->slug), type->title), .body = body, .module = "plain"});
   } else {
     nlohmann::ordered_json document{{"type", "/problems/" + std::string(type->slug)}, {"title", type->title}};
     if (type->status) document["status"] = type->status;

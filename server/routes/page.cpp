@@ -33,8 +33,11 @@ void add_page_routes(Router& router, Context& context) {
                on_pool(context.scans, [&context, page](const Request& request) { return page(context, request); }),
                std::move(query));
   };
-  add("/", jobs_page,
-      {"state", "kind", "reference", "tag", "text", "created_after", "created_before", "sort", "limit", "cursor"});
+  const std::vector<std::string_view> filters{"state",         "kind",           "reference", "tag",   "text",
+                                              "created_after", "created_before", "sort",      "limit", "cursor"};
+  add("/", jobs_page, filters);
+  router.add("GET", "/jobs", Access::read,
+             on_pool(context.scans, [&](const Request& request) { return jobs_data(context, request); }), filters);
   add("/new", new_page, {"from", "example", "kind"});
   add("/compare", compare_page, {"a", "b", "from"});
   add("/jobs/{id}", job_page);

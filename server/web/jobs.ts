@@ -20,7 +20,7 @@ const tags = new Map<string, { etag: string; page: ListPage }>();
 
 /** Reads a page of the list with the durations; one that is known costs a 304. */
 async function readPage(parameters: URLSearchParams): Promise<ListPage> {
-  const address = listAddress(parameters);
+  const address = at("/jobs") + (parameters.toString() === "" ? "" : "?" + parameters);
   const known = tags.get(address);
   const response = await fetch(address, {
     credentials: "same-origin", cache: "no-store",

@@ -60,6 +60,7 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"GET /readyz", 200},
                                          {"GET /metrics", 200},
                                          {"GET /", 200},
+                                         {"GET /jobs", 200},
                                          {"GET /new", 200},
                                          {"GET /compare", 200},
                                          {"GET /jobs/{id}", 200},
@@ -209,7 +210,7 @@ TEST_F(ServiceKeysTest, AStreamEndsWhenItsKeyIsRemoved) {
   EXPECT_EQ(ask("GET", "/v1/jobs/" + id, acme).status, 401);
 }
 
-TEST_F(ServiceKeysTest, AFormGivesABrowserACookieThatReadsAndChangesNothing) {
+TEST_F(ServiceKeysTest, AFormGivesABrowserACookieThatServesPagesOfThisServiceAlone) {
   const std::string acme = add("acme", "submit,read");
   start();
   const Pairs form{{"Content-Type", "application/x-www-form-urlencoded"}}, html{{"Accept", "text/html"}};
@@ -225,7 +226,33 @@ TEST_F(ServiceKeysTest, AFormGivesABrowserACookieThatReadsAndChangesNothing) {
     EXPECT_NE(cookie.find(part), std::string::npos) << part;
   const std::string sent = cookie.substr(0, cookie.find(';'));
   EXPECT_EQ(get("/", {{"Accept", "text/html"}, {"Cookie", "a=b; " + sent}}).status, 200);
+  // What changes something needs an Origin that is this service: any other one and none at all are refused.
+  const std::string own = "http://" + service->address();
   EXPECT_EQ(post(R"({"rows":1})", {{"Cookie", sent}}).status, 401);
+  for (const char* other : {"http://evil.example", "null", "https://evil.example:443", "http://127.0.0.1:1"})
+    EXPECT_EQ(post(R"({"rows":1})", {{"Cookie", sent}, {"Origin", other}}).status, 403) << other;
+  EXPECT_EQ(post(R"({"rows":1})", {{"Cookie", sent}, {"Origin", own}}).status, 202);
+  EXPECT_EQ(post(R"({"rows":1})", {{"Cookie", "bahnwerk_key=bw_wrong"}, {"Origin", own}}).status, 401);
+  const Response left = ask("POST", "/logout", "", {{"Cookie", sent}, {"Origin", own}}, "");
+  EXPECT_EQ(left.status, 303);
+  EXPECT_NE(left.header("Set-Cookie").value_or("").find("bahnwerk_key=; Path=/; HttpOnly"), std::string::npos);
+  EXPECT_NE(left.header("Set-Cookie").value_or("").find("Max-Age=0"), std::string::npos);
+}
+
+TEST_F(ServiceKeysTest, ACookieHasNoMoreScopesThanItsKey) {
+  const std::string reader = add("acme", "read");
+  start();
+  const std::string own = "http://" + service->address(), cookie = "bahnwerk_key=" + reader;
+  EXPECT_EQ(get("/v1/jobs", {{"Cookie", cookie}}).status, 200);
+  EXPECT_EQ(post(R"({"rows":1})", {{"Cookie", cookie}, {"Origin", own}}).status, 403);
+}
+
+TEST_F(ServiceKeysTest, AnOriginThatMayAskGetsNothingByACookie) {
+  options.cors_origins = {"https://plant.example"};
+  const std::string acme = add("acme", "submit,read");
+  start();
+  EXPECT_EQ(post(R"({"rows":1})", {{"Cookie", "bahnwerk_key=" + acme}, {"Origin", "https://plant.example"}}).status,
+            401);
 }
 
 }  // namespace

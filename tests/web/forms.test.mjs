@@ -105,3 +105,36 @@ test("units come from the schema", () => {
   assert.equal(schemas.unitOf(schemaOf.probe_path.properties.method), "");
   assert.equal(schemas.unitOf(schemaOf.job.properties.time_budget), "s");
 });
+
+test("a file is what it says, not what it is called", async () => {
+  const { decode, recognise } = await load("forms/files.ts");
+  const bytes = (text) => new TextEncoder().encode(text);
+  assert.deepEqual(decode(bytes("G1 X1 (ä)")), { text: "G1 X1 (ä)", encoding: "utf-8" });
+  assert.deepEqual(decode(new Uint8Array([0x28, 0xe4, 0x29])), { text: "(ä)", encoding: "windows-1252" });
+  const binary = decode(new Uint8Array([...bytes("AutoCAD Binary DXF\r\n"), 26, 0, 1, 2]));
+  assert.equal(binary.encoding, "base64");
+  assert.equal(recognise(binary.text, binary.encoding).what, "dxf");
+  for (const name of ["bracket.dxf", "gear.dxf", "sheet.dxf", "lettering.dxf"])
+    assert.equal(recognise(decode(readFileSync(path.join(root, "examples/parts", name))).text, "utf-8").what, "dxf", name);
+  for (const name of ["bracket.ngc", "gear.ngc", "thread.ngc", "blades.ngc"])
+    assert.equal(recognise(decode(readFileSync(path.join(root, "examples/parts", name))).text, "utf-8").what, "gcode", name);
+  for (const [name, document] of documents()) {
+    const whole = recognise(JSON.stringify(document), "utf-8"), spec = recognise(JSON.stringify(document.spec), "utf-8");
+    assert.deepEqual(whole, { what: "job", document: JSON.parse(JSON.stringify(document)) }, name);
+    assert.equal(spec.what === "job" ? spec.document.kind : spec.what, document.kind, name);
+  }
+  for (const name of ["laser.json", "robot.json", "md1.json"]) assert.equal(recognise(JSON.stringify(read("examples/machines", name)), "utf-8").what, "machine", name);
+  assert.equal(recognise("{\"a\": 1", "utf-8").what, "bad-json");
+  assert.equal(recognise("{\"a\": 1}", "utf-8").what, "unknown-json");
+});
+
+test("every text has both languages", () => {
+  for (const file of readdirSync(path.join(root, "server/web/texts/en"))) {
+    const en = read("server/web/texts/en", file), german = read("server/web/texts/de", file);
+    assert.deepEqual(Object.keys(german).sort(), Object.keys(en).sort(), file);
+    for (const key of Object.keys(en)) {
+      const names = (text) => [...text.matchAll(/\{(\w+)\}/g)].map((each) => each[1]).sort();
+      assert.deepEqual(names(german[key]), names(en[key]), `${file} ${key}`);
+    }
+  }
+});

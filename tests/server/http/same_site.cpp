@@ -65,5 +65,15 @@ TEST(SameSite, PagesOfAllowedOriginsMayChangeSomething) {
     EXPECT_THROW(check_origins({wrong}), std::runtime_error) << wrong;
 }
 
+TEST(SameSite, AnOriginIsTheServiceByHostAndPort) {
+  EXPECT_TRUE(same_origin("http://localhost:8080", "localhost:8080"));
+  EXPECT_TRUE(same_origin("https://plan.example", "plan.example"));  // TLS ends in a proxy
+  EXPECT_TRUE(same_origin("https://plan.example", "plan.example:443"));
+  for (const char* other : {"http://localhost", "http://localhost:81", "http://evil.example:8080", "null", "",
+                            "localhost:8080", "http://localhost:8080, http://evil.example"})
+    EXPECT_FALSE(same_origin(other, "localhost:8080")) << other;
+  EXPECT_FALSE(same_origin("http://", ""));
+}
+
 }  // namespace
 }  // namespace bahnwerk::server
