@@ -66,6 +66,46 @@ logged '.event == "audit" and .key == "acme" and .peer == "127.0.0.1" and .actio
 logged '.event == "audit" and .action == "POST /v1/jobs" and .job == $id' --arg id "$deleted" || fail "the audit line of the post"
 logged '.event == "audit" and .status == 403 and .key == "acme"' || fail "the audit line of a refused change"
 
+# In a browser a form exchanges the key for a cookie, which serves the pages of this service: their changes have its Origin.
+html='Accept: text/html,application/xhtml+xml,*/*;q=0.8'
+for address in / /new /v1/jobs "/v1/jobs/$before/result"; do
+  request GET "$address" -H "$html"
+  expect_status 401
+  grep -q "<form class=\"login\" method=\"post\" action=\"/login\">" "$work/body" || fail "the form at $address"
+done
+request GET / -H "$html" -H 'Accept-Language: de'
+grep -q 'Anmelden' "$work/body" || fail "the form in German"
+request POST /login -H "$html" --data-urlencode "key=bw_wrong" --data-urlencode 'to=/'
+expect_status 401
+grep -q 'role="alert"' "$work/body" || fail "a wrong key is told"
+request POST /login --data-urlencode "key=$acme" --data-urlencode 'to=/?state=failed'
+expect_status 303
+expect_header Location '/?state=failed'
+[[ $(header Set-Cookie) == "bahnwerk_key=$acme; Path=/; HttpOnly; SameSite=Strict" ]] || fail "the cookie"
+cookie="Cookie: bahnwerk_key=$acme"
+request GET / -H "$html" -H "$cookie"
+expect_status 200
+grep -q 'action="/logout"' "$work/body" || fail "a way out"
+posts() { request POST /v1/jobs -H 'Content-Type: application/json' --data-binary "@$examples/line.json" -H "$cookie" "$@"; }
+posts
+expect_problem unauthorized 401
+posts -H 'Origin: http://evil.example'
+expect_problem forbidden 403
+posts -H 'Origin: null'
+expect_problem forbidden 403
+posts -H "Origin: $url"
+expect_status 202
+request DELETE "/v1/jobs/$(field .id)" -H "$cookie" -H 'Sec-Fetch-Site: cross-site'
+expect_problem unauthorized 401
+request POST /v1/jobs -H 'Content-Type: application/json' --data-binary "@$examples/line.json" -H "Cookie: bahnwerk_key=$reader" -H "Origin: $url"
+expect_problem forbidden 403
+request GET "/v1/jobs/$before" -H "$html" -H "$cookie"
+expect_status 404
+grep -q 'What to do' "$work/body" || fail "another's job is a page, too"
+request POST /logout -H "$cookie" -H "Origin: $url"
+expect_status 303
+[[ $(header Set-Cookie) == 'bahnwerk_key=; Path=/; HttpOnly; SameSite=Strict; Max-Age=0' ]] || fail "the cookie is removed"
+
 # A removed key is not valid any more; without any key left the service stays closed.
 key list | jq -e '.keys | length == 4' >/dev/null || fail "key list"
 grep -q "$acme" "$work/store.db" "$work/log" <(key list) && fail "the key's text is nowhere"

@@ -25,6 +25,7 @@ struct RouterTest : testing::Test {
     router.add("GET", "/v1/jobs/{id}", Access::open, says("job"));
     router.add("DELETE", "/v1/jobs/{id}", Access::open, says("delete"));
     router.add("GET", "/list", Access::open, says("list"), {"state", "limit"});
+    router.add("GET", "/page", Access::page, says("page"), {"state"});
     router.add("GET", "/v1/jobs/newest", Access::open, says("newest"));
     router.add("GET", "/v1/jobs/{id}/files/{name}", Access::open, says("file"));
     router.add("POST", "/throws", Access::open,
@@ -95,6 +96,11 @@ TEST_F(RouterTest, TakesOnlyTheParametersOfTheRouteOnceAndWithAValue) {
   EXPECT_EQ(pointers("/v1/jobs/17?x=y"), List{"/query/x"});
   EXPECT_EQ(pointers("/list?=1"), List{"/query/"});
   EXPECT_EQ(ask("GET", "/nothing?x=y").status, 404);
+}
+
+TEST_F(RouterTest, TakesEmptyParametersOfAPageAsAbsentBecauseFormsSendThem) {
+  EXPECT_EQ(ask("GET", "/page?state=&state=queued").body, "page");
+  EXPECT_EQ(ask("GET", "/page?colour=red").status, 422);
 }
 
 TEST_F(RouterTest, KeepsAnExceptionsTextToItself) {
