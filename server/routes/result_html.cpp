@@ -10,11 +10,13 @@
 
 #include "api/setpoints/result_units.hpp"
 #include "server/pages/shell.hpp"
+#include "server/routes/json_members.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
 using nlohmann::ordered_json;
+using Checks = std::vector<const ordered_json*>;
 
 std::string formatted(double value, std::chars_format format, int digits) {
   std::array<char, 400> text;
@@ -29,29 +31,19 @@ std::string number(double value) {
   return formatted(value, std::chars_format::general, 6);
 }
 
+/// Returns a share like percent(), a small one with its first digit: "0.00002 %".
+std::string fine_percent(double share) {
+  const double value = share * 100;
+  if (value >= 0.01) return percent(share);
+  if (!(value >= 1e-8)) return "0 %";
+  return formatted(value, std::chars_format::fixed, static_cast<int>(std::ceil(-std::log10(value)))) + " %";
+}
+
 /// Returns a member's name as a page shows it.
-std::string shown_name(std::string name) {
+std::string shown_name(const std::string& key, const Texts& text) {
+  std::string name = key;
   std::replace(name.begin(), name.end(), '_', ' ');
-  return escape_html(name);
-}
-
-std::optional<double> number_at(const ordered_json& object, const char* name) {
-  if (!object.is_object()) return std::nullopt;
-  const auto found = object.find(name);
-  return found != object.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
-}
-
-const ordered_json& member(const ordered_json& object, const char* name) {
-  static const ordered_json none;
-  if (!object.is_object()) return none;
-  const auto found = object.find(name);
-  return found != object.end() ? *found : none;
-}
-
-/// Returns a bar that is full at 1, with its share. Beyond 1 it has the colour of what is far from the optimum.
-std::string bar(double share) {
-  return "<meter max=\"1\" " + std::string(share > 1 ? "low=\"0.1\" high=\"0.9\" optimum=\"0\" " : "") + "value=\"" +
-         formatted(share, std::chars_format::fixed, 4) + "\"></meter> " + percent(share);
+  return escape_html(text.find("figures." + key, name));
 }
 
 bool passed(const ordered_json& check) { return check.value("passed", false); }
@@ -67,57 +59,96 @@ std::optional<double> use_of(const ordered_json& check) {
   return passed(check) ? std::min(use, inverse) : std::max(use, inverse);
 }
 
-std::string with_unit(const ordered_json& value, const ordered_json& unit) {
-  const std::string text = unit.is_string() ? unit.get<std::string>() : std::string();
-  return shown_value(value) + (text.empty() || text == "1" || value.is_null() ? "" : " " + escape_html(text));
+std::string check_name(const ordered_json& check, const Texts& text) {
+  const ordered_json& name = member(check, "name");
+  return name.is_string() ? escape_html(text.name(name.get<std::string>())) : shown_value(name, text);
 }
 
-std::string check_table(const std::vector<const ordered_json*>& checks) {
-  std::string text =
-      "<div class=\"scroll\"><table><thead><tr><th>check</th><th>use</th><th class=\"n\">value</th><th "
-      "class=\"n\">limit</th><th class=\"n\">at</th></tr></thead>\n";
-  for (const ordered_json* check : checks) {
-    const auto use = use_of(*check);
-    text += "<tr><td>" + shown_value(member(*check, "name")) + "</td><td class=\"k\">" + (use ? bar(*use) : "–") +
-            (passed(*check) ? "" : " <strong>failed</strong>") + "</td><td class=\"n k\">" +
-            with_unit(member(*check, "value"), member(*check, "unit")) + "</td><td class=\"n k\">" +
-            with_unit(member(*check, "limit"), member(*check, "unit")) + "</td><td class=\"n k\">" +
-            with_unit(member(*check, "at"), member(*check, "at_unit")) + "</td></tr>\n";
-  }
-  return text + "</table></div>\n";
+std::string check_row(const ordered_json& check, const Texts& text) {
+  const auto use = use_of(check), at = number_at(check, "at");
+  const std::string name = check_name(check, text);
+  return "<tr><th scope=\"row\">" + name + "</th><td class=\"k\">" + (use ? bar(*use, name, text) : "–") +
+         (passed(check) ? ""
+                        : " <strong class=\"state failed\">" + escape_html(text("job.check_failed")) + "</strong>") +
+         "</td><td class=\"n k\">" + with_unit(member(check, "value"), member(check, "unit"), text) +
+         "</td><td class=\"n k\">" + with_unit(member(check, "limit"), member(check, "unit"), text) +
+         "</td><td class=\"n k\"" + (at ? " data-at=\"" + ordered_json(*at).dump() + "\"" : "") +
+         (at ? " data-unit=\"" + shown_value(member(check, "at_unit"), text) + "\"" : "") + ">" +
+         with_unit(member(check, "at"), member(check, "at_unit"), text) + "</td></tr>\n";
 }
 
-std::string folded(std::string_view group, const std::vector<const ordered_json*>& checks) {
+std::string check_head(const Texts& text) {
+  const auto head = [&](const char* key, bool right) {
+    return std::string(right ? "<th scope=\"col\" class=\"n\">" : "<th scope=\"col\">") + escape_html(text(key)) +
+           "</th>";
+  };
+  return "<thead><tr>" + head("job.check", false) + head("job.use", false) + head("job.value", true) +
+         head("job.limit", true) + head("job.at", true) + "</tr></thead>\n";
+}
+
+std::string check_table(const Checks& checks, const Texts& text) {
+  std::string rows;
+  for (const ordered_json* check : checks) rows += check_row(*check, text);
+  return "<div class=\"scroll\" tabindex=\"0\"><table class=\"checks\">" + check_head(text) + "<tbody>" + rows +
+         "</tbody></table></div>\n";
+}
+
+/// Returns the checks of all groups but the limits, folded, with a body per group.
+std::string folded(const std::vector<std::pair<std::string, Checks>>& groups, const Texts& text) {
   const ordered_json* most = nullptr;
   double largest = -1;
-  for (const ordered_json* check : checks)
-    if (const auto use = use_of(*check); use && *use > largest) {
-      largest = *use;
-      most = check;
+  std::size_t count = 0;
+  std::string bodies;
+  for (const auto& [group, checks] : groups) {
+    count += checks.size();
+    bodies += "<tbody><tr><th colspan=\"5\" scope=\"rowgroup\" class=\"group\">" +
+              escape_html(text.find("job.group_" + group, group)) + "</th></tr>\n";
+    for (const ordered_json* check : checks) {
+      if (const auto use = use_of(*check); use && *use > largest) {
+        largest = *use;
+        most = check;
+      }
+      bodies += check_row(*check, text);
     }
-  std::string text = "<details><summary>" + escape_html(group) + ": " + std::to_string(checks.size()) +
-                     (checks.size() == 1 ? " check" : " checks") + " passed";
-  if (most) text += ", largest use " + percent(largest) + " (" + shown_value(member(*most, "name")) + ")";
-  return text + "</summary>\n" + check_table(checks) + "</details>\n";
+    bodies += "</tbody>";
+  }
+  std::string summary =
+      escape_html(count == 1 ? text("job.exact_one") : text("job.exact", {{"n", std::to_string(count)}}));
+  if (most)
+    summary += ", " + escape_html(text("job.largest_use")) + " " + percent(largest, text) + " (" +
+               check_name(*most, text) + ")";
+  return "<details><summary>" + summary + "</summary>\n<div class=\"scroll\" tabindex=\"0\"><table class=\"checks\">" +
+         check_head(text) + bodies + "</table></div></details>\n";
 }
 
 }  // namespace
 
-std::string shown_value(const ordered_json& value) {
-  if (value.is_number_float()) return number(value.get<double>());
+std::string bar(double share, const std::string& name, const Texts& text) {
+  return "<meter max=\"1\" " + std::string(share > 1 ? "low=\"0.1\" high=\"0.9\" optimum=\"0\" " : "") +
+         "aria-label=\"" + name + "\" value=\"" + formatted(share, std::chars_format::fixed, 4) + "\"></meter> " +
+         percent(share, text);
+}
+
+std::string with_unit(const ordered_json& value, const ordered_json& unit, const Texts& text) {
+  const std::string name = unit.is_string() ? unit.get<std::string>() : std::string();
+  return shown_value(value, text) + (name.empty() || name == "1" || value.is_null() ? "" : " " + escape_html(name));
+}
+
+std::string shown_value(const ordered_json& value, const Texts& text) {
+  if (value.is_number_float()) return text.number(number(value.get<double>()));
   if (value.is_string()) return escape_html(value.get<std::string>());
   if (value.is_null()) return "–";
   std::string list;
   if (value.is_object()) {
     for (const auto& [key, entry] : value.items())
-      list += (list.empty() ? "" : ", ") + shown_name(key) + " " + shown_value(entry);
+      list += (list.empty() ? "" : ", ") + shown_name(key, text) + " " + shown_value(entry, text);
     return list;
   }
   if (value.is_array()) {
-    for (const ordered_json& entry : value) list += (list.empty() ? "" : "<br>") + shown_value(entry);
+    for (const ordered_json& entry : value) list += (list.empty() ? "" : "<br>") + shown_value(entry, text);
     return list;
   }
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_boolean()) return escape_html(text(value.get<bool>() ? "job.yes" : "job.no"));
   return escape_html(value.dump());
 }
 
@@ -131,6 +162,8 @@ std::string duration_label(double seconds) {
                    : whole(minutes) + " min " + whole(rounded - 60 * minutes) + " s";
 }
 
+std::string duration_label(double seconds, const Texts& text) { return text.number(duration_label(seconds)); }
+
 std::string percent(double share) {
   const double value = share * 100;
   if (value == 0) return "0 %";
@@ -140,96 +173,25 @@ std::string percent(double share) {
                : formatted(value, std::chars_format::general, 2) + " %";
 }
 
-std::string verdict_line(const ordered_json& result) {
-  const ordered_json &verdict = member(result, "verification"), &summary = member(result, "summary");
-  if (!verdict.is_object()) return "";
-  const bool verified = verdict.value("passed", false);
-  std::string text = "<p class=\"lead\"><strong class=\"state " + std::string(verified ? "succeeded" : "failed") +
-                     "\">" + (verified ? "verified" : "not verified") + "</strong>";
-  if (!verified) {
-    std::string names;
-    for (const ordered_json& check : member(verdict, "checks"))
-      if (!passed(check)) names += (names.empty() ? " failed: " : ", ") + shown_value(member(check, "name"));
-    text += names;
-  }
-  text += " · " + escape_html(result.value("kind", ""));
-  auto duration = number_at(summary, "duration");
-  if (!duration) duration = number_at(summary, "cycle_duration");
-  if (duration) text += " · duration <strong>" + duration_label(*duration) + "</strong>";
-  if (const auto count = number_at(summary, "count")) text += " · count <strong>" + number(*count) + "</strong>";
-  if (const auto gap = number_at(member(result, "bound"), "gap"))
-    text += " · gap to the bound <strong>" + percent(*gap) + "</strong>";
-  return text + "</p>\n";
-}
+std::string percent(double share, const Texts& text) { return text.number(percent(share)); }
 
-std::string figures(const ordered_json& object, const std::string& kind, std::string_view part) {
+std::string figures(const ordered_json& object, const std::string& kind, std::string_view part, const Texts& text) {
   if (!object.is_object()) return "";
   std::string rows;
   for (const auto& [key, value] : object.items()) {
     const std::string unit = value.is_number() || value.is_object() ? api::result_unit(kind, part, key) : std::string();
-    rows += "<tr><th>" + shown_name(key) + "</th><td>" + shown_value(value);
+    rows += "<tr><th scope=\"row\">" + shown_name(key, text) + "</th><td>" + shown_value(value, text);
     if (!unit.empty()) rows.append(" ").append(unit);
     rows += "</td></tr>\n";
   }
-  return "<table>\n" + rows + "</table>\n";
+  return "<table class=\"figures\">\n" + rows + "</table>\n";
 }
 
-std::string largest_limits(const ordered_json& limits) {
-  constexpr std::size_t shown = 3;
-  std::vector<const ordered_json*> list;
-  for (const ordered_json& limit : member(limits, "limits"))
-    if (limit.value("share", 0.0) > 0) list.push_back(&limit);
-  // States without a limit, such as dwell, have no unit.
-  const bool limited = std::any_of(list.begin(), list.end(),
-                                   [](const ordered_json* limit) { return member(*limit, "unit").is_string(); });
-  if (!limited) return "";
-  std::stable_sort(list.begin(), list.end(), [](const ordered_json* a, const ordered_json* b) {
-    return a->value("share", 0.0) > b->value("share", 0.0);
-  });
-  list.resize(std::min(list.size(), shown));
-  std::string text =
-      "<h2>What limits the motion</h2>\n<div class=\"scroll\"><table><thead><tr><th>limit</th><th>share of the time"
-      "</th><th class=\"n\">time</th><th class=\"n\">permitted</th></tr></thead>\n";
-  for (const ordered_json* limit : list) {
-    const double share = limit->value("share", 0.0);
-    const ordered_json& value = member(*limit, "value");
-    const bool by_block = limit->contains("intervals");
-    const std::string name = limit->value("name", "");
-    text += "<tr><td>" + escape_html(name) + (name == "ahead" ? " (no limit is met)" : "") + "</td><td class=\"k\">" +
-            bar(share) + "</td><td class=\"n k\">" + duration_label(limit->value("time", 0.0)) +
-            "</td><td class=\"n k\">" + (by_block ? "by block" : with_unit(value, member(*limit, "unit"))) +
-            "</td></tr>\n";
-  }
-  return text + "</table></div>\n";
-}
-
-std::string slowest_blocks(const ordered_json& blocks) {
-  const ordered_json& list = member(blocks, "blocks");
-  if (!list.is_array() || list.empty()) return "";
-  const std::string by = blocks.value("by", "block");
-  const bool program = by == "line";
-  const auto lost = member(blocks, "lost");
-  std::string text = "<h2>Slowest " + escape_html(by) +
-                     "s</h2>\n<p>Lost against the feed: " + duration_label(number_at(lost, "to_feed").value_or(0)) +
-                     "; in positioning, against the velocities of the axes: " +
-                     duration_label(number_at(lost, "to_axes").value_or(0)) +
-                     ".</p>\n<div class=\"scroll\"><table><thead><tr><th class=\"n\">" + escape_html(by) + "</th>" +
-                     (program ? "<th>text</th>" : "<th>mode</th>") +
-                     "<th class=\"n\">time</th><th class=\"n\">lost</th><th>limit</th></tr></thead>\n";
-  for (const ordered_json& entry : list)
-    text += "<tr><td class=\"n\">" + shown_value(member(entry, by.c_str())) + "</td><td class=\"line\">" +
-            (program ? "<code>" + shown_value(member(entry, "text")) + "</code>" : shown_value(member(entry, "mode"))) +
-            "</td><td class=\"n k\">" + duration_label(entry.value("time", 0.0)) + "</td><td class=\"n k\">" +
-            duration_label(entry.value("lost", 0.0)) + "</td><td>" + shown_value(member(entry, "limit")) +
-            (member(entry, "limit").is_null() ? "" : " " + percent(entry.value("limit_share", 0.0))) + "</td></tr>\n";
-  return text + "</table></div>\n";
-}
-
-std::string verification(const ordered_json& verdict) {
+std::string verification(const ordered_json& verdict, const Texts& text) {
   const ordered_json& checks = member(verdict, "checks");
   if (!checks.is_array()) return "";
-  std::vector<const ordered_json*> failed, limits;
-  std::vector<std::pair<std::string, std::vector<const ordered_json*>>> others;
+  Checks failed, limits;
+  std::vector<std::pair<std::string, Checks>> others;
   for (const ordered_json& check : checks) {
     const std::string group = check.value("group", "other");
     if (!passed(check)) {
@@ -242,12 +204,42 @@ std::string verification(const ordered_json& verdict) {
       found->second.push_back(&check);
     }
   }
-  std::string text =
-      "<h2>Verification: " + std::string(verdict.value("passed", false) ? "passed" : "failed") + "</h2>\n";
-  if (!failed.empty()) text += check_table(failed);
-  if (!limits.empty()) text += check_table(limits);
-  for (const auto& [group, list] : others) text += folded(group, list);
-  return text;
+  std::string html =
+      "<h2>" +
+      escape_html(text(verdict.value("passed", false) ? "job.verification_passed" : "job.verification_failed")) +
+      "</h2>\n";
+  if (!failed.empty()) html += check_table(failed, text);
+  if (!limits.empty()) html += check_table(limits, text);
+  if (!others.empty()) html += folded(others, text);
+  return html;
+}
+
+std::string bound_sentence(const ordered_json& result, const Texts& text) {
+  const ordered_json &bound = member(result, "bound"), &basis = member(bound, "basis");
+  const auto gap = number_at(bound, "gap");
+  if (!gap) return "";
+  const std::string gain = text.number(fine_percent(*gap / (1 + *gap))), more = text.number(fine_percent(*gap));
+  std::string sentence;
+  if (const auto duration = number_at(bound, "duration"))
+    sentence = text("job.bound_duration", {{"bound", text.number(number(*duration))}}) + " " +
+               text("job.bound_gain", {{"gain", gain}});
+  else if (const auto count = number_at(bound, "count"))
+    sentence = text("job.bound_count", {{"bound", number(*count)}}) + " " + text("job.bound_more", {{"gain", more}});
+  else if (const auto objective = number_at(bound, "objective"))
+    sentence = text("job.bound_objective", {{"bound", text.number(number(*objective))}}) + " " +
+               text("job.bound_gain", {{"gain", gain}});
+  else
+    return "";
+  // "&lt;" of small shares is HTML already.
+  const std::size_t less = sentence.find("&lt;");
+  if (less != sentence.npos) sentence.replace(less, 4, "<");
+  std::string html = "<p>" + escape_html(sentence) + "</p>\n<p>" +
+                     bar(1 / (1 + std::max(0.0, *gap)), escape_html(text("job.bound_gauge")), text) +
+                     " <span class=\"soft\">" + escape_html(text("job.bound_gauge")) + "</span></p>\n";
+  if (basis.is_string())
+    html += "<p class=\"soft\">" + escape_html(text("job.basis")) + " <span lang=\"en\">" + shown_value(basis, text) +
+            "</span></p>\n";
+  return html;
 }
 
 }  // namespace bahnwerk::server

@@ -11,7 +11,8 @@ export interface Limit {
   column?: string;
   time: number;
   share: number;
-  intervals?: unknown[];
+  lowest?: number | null; // where it is not the negative of `value`
+  intervals?: { first: number; count: number; value: number | null; lowest?: number | null }[];
 }
 
 export interface LimitsAnswer {
@@ -25,7 +26,11 @@ export interface PlannedJob {
   kind: string;
   rows: number;
   cycle: number; // unit of the independent variable per row: s, or degrees of a law over an angle
+  seconds: number; // s per row; over an angle: at the master's nominal speed
+  independent: string; // "time", or the name of the master's position
+  unit: string; // of the independent variable: "s", "deg" or "mm"
   columns: string[];
+  units: string[]; // one per column, "1" for numbers
   view: SharedView;
   /** Answers GET …/limits?points=400 of the whole series; asked once, whoever needs it first. */
   limits(): Promise<LimitsAnswer>;
@@ -34,10 +39,16 @@ export interface PlannedJob {
 /** Number of intervals of the overview. */
 export const overviewPoints = 400;
 
+/** Returns the answer of GET …/limits to a query. */
+export async function askLimits(id: string, query: string, signal?: AbortSignal): Promise<LimitsAnswer> {
+  const { limits, points } = await getJson<{ limits: Limit[]; points?: { index: number[]; shares: number[][] } }>(`/v1/jobs/${id}/limits?${query}`, signal);
+  return { limits, ...points };
+}
+
 /** Returns the planned job of this page, null where the page's job has no setpoints. */
 export function plannedJob(): PlannedJob | null {
   const element = document.getElementById("job");
-  const { id, kind, rows, cycle, columns } = element?.dataset ?? {};
+  const { id, kind, rows, cycle, seconds, independent, unit, columns, units } = element?.dataset ?? {};
   if (!id || !kind || !rows || !cycle || !columns) return null;
   const state = readAddress();
   const number = (name: string): number | undefined => (name in state ? Number(state[name]) : undefined);
@@ -49,6 +60,7 @@ export function plannedJob(): PlannedJob | null {
   let limits: Promise<LimitsAnswer> | undefined;
   return {
     id, kind, rows: Number(rows), cycle: Number(cycle), columns: columns.split(","), view,
-    limits: () => (limits ??= getJson<LimitsAnswer>(`/v1/jobs/${id}/limits?points=${overviewPoints}`)),
+    seconds: Number(seconds ?? cycle), independent: independent ?? "time", unit: unit ?? "s", units: (units ?? "").split(","),
+    limits: () => (limits ??= askLimits(id, `points=${overviewPoints}`)),
   };
 }

@@ -21,6 +21,7 @@ TEST(JobPage, OnlyARunningJobShowsHowFarItIs) {
     job.fraction = percent / 100.0;
     EXPECT_TRUE(state_label(job).ends_with(" " + std::to_string(percent) + " %")) << state_label(job);
   }
+  EXPECT_EQ(state_label(job, Texts(Language::de)), "<span class=\"state running\">läuft</span> 99 %");
   job.fraction = 0.999;
   EXPECT_TRUE(state_label(job).ends_with(" 99 %")) << "100 % is for what has ended";
 }

@@ -23,13 +23,15 @@ std::size_t count(const std::string& text, std::string_view part) {
 
 bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
+const Texts english(Language::en), german(Language::de);
+
 TEST(ResultHtml, EachRowOfATableHasALineAndWhatIsMissingADash) {
   const ordered_json rows = {{{"planner", "filter"}, {"reason", "slower"}, {"used_duration", 2.61777798}},
                              {{"planner", "<b>"}, {"duration", nullptr}, {"centred", true}}};
-  EXPECT_EQ(shown_value(rows),
+  EXPECT_EQ(shown_value(rows, english),
             "planner filter, reason slower, used duration 2.61778<br>planner &lt;b&gt;, duration –, centred yes");
-  EXPECT_EQ(shown_value(3), "3");
-  EXPECT_EQ(shown_value(ordered_json::array()), "");
+  EXPECT_EQ(shown_value(3, english), "3");
+  EXPECT_EQ(shown_value(ordered_json::array(), english), "");
 }
 
 TEST(ResultHtml, DurationsHaveThePrecisionThatTheirLengthNeeds) {
@@ -54,60 +56,11 @@ TEST(ResultHtml, SharesHaveTwoDigitsAndSmallOnesAreNotZero) {
   EXPECT_EQ(percent(12), "1200 %");
 }
 
-TEST(ResultHtml, TheFirstLineHasVerdictDurationAndGap) {
-  const ordered_json result = {{"kind", "contour"},
-                               {"summary", {{"duration", 3.3148}}},
-                               {"bound", {{"duration", 3.3}, {"gap", 0.0045}}},
-                               {"verification", {{"passed", true}, {"checks", ordered_json::array()}}}};
-  const std::string line = verdict_line(result);
-  EXPECT_TRUE(has(line, ">verified<")) << line;
-  EXPECT_TRUE(has(line, "contour")) << line;
-  EXPECT_TRUE(has(line, "3.315 s")) << line;
-  EXPECT_TRUE(has(line, "0.45 %")) << line;
-}
-
-TEST(ResultHtml, TheFirstLineNamesTheChecksThatFailed) {
-  const ordered_json result = {
-      {"verification",
-       {{"passed", false}, {"checks", {check("a<b", "limit", 2, 1, false), check("held", "limit", 1, 2)}}}}};
-  const std::string line = verdict_line(result);
-  EXPECT_TRUE(has(line, "not verified")) << line;
-  EXPECT_TRUE(has(line, "a&lt;b")) << line;
-  EXPECT_FALSE(has(line, "held")) << line;
-  EXPECT_EQ(verdict_line(ordered_json::object()), "");
-}
-
-TEST(ResultHtml, ThreeLimitsAreShownTheLargestFirst) {
-  ordered_json list = ordered_json::array();
-  for (const auto& [name, share] : {std::pair{"dwell", 0.0}, {"x", 0.1}, {"feed", 0.5}, {"<y>", 0.3}, {"z", 0.05}})
-    list.push_back({{"name", name}, {"unit", "mm/s"}, {"value", 10}, {"time", share}, {"share", share}});
-  const std::string text = largest_limits({{"limits", list}});
-  EXPECT_LT(text.find("feed"), text.find("&lt;y&gt;"));
-  EXPECT_LT(text.find("&lt;y&gt;"), text.find("<td>x<"));
-  EXPECT_TRUE(has(text, "value=\"0.5000\"")) << text;
-  EXPECT_TRUE(has(text, "10 mm/s")) << text;
-  EXPECT_FALSE(has(text, "<td>z<")) << text;
-  EXPECT_EQ(count(text, "<meter"), 3U);
-  EXPECT_EQ(largest_limits({{"limits", ordered_json::array()}}), "");
-}
-
-TEST(ResultHtml, SlowestLinesAreShownWithTheirTextAndLimit) {
-  const ordered_json blocks = {
-      {"by", "line"},
-      {"lost", {{"to_feed", 1.5}, {"to_axes", 0.25}}},
-      {"blocks",
-       {{{"line", 7},
-         {"text", "G1 <X>"},
-         {"time", 2.0},
-         {"lost", 1.25},
-         {"limit", "acceleration x"},
-         {"limit_share", 0.8}},
-        {{"line", 9}, {"text", nullptr}, {"time", 1.0}, {"lost", 0.0}, {"limit", nullptr}, {"limit_share", 0.0}}}}};
-  const std::string text = slowest_blocks(blocks);
-  for (const char* part : {"Slowest lines", "1.500 s", "0.250 s", "G1 &lt;X&gt;", "2.000 s", "1.250 s",
-                           "acceleration x 80 %", "<td class=\"n\">7</td>"})
-    EXPECT_TRUE(has(text, part)) << part << "\n" << text;
-  EXPECT_EQ(slowest_blocks({{"by", "block"}, {"blocks", ordered_json::array()}}), "");
+TEST(ResultHtml, NumbersHaveTheDecimalSignOfTheLanguage) {
+  EXPECT_EQ(shown_value(2.5, german), "2,5");
+  EXPECT_EQ(duration_label(3.3148, german), "3,315 s");
+  EXPECT_EQ(percent(0.00938, german), "0,94 %");
+  EXPECT_TRUE(has(verification({{"passed", true}, {"checks", {check("a", "limit", 1.5, 2)}}}, german), "1,5 mm"));
 }
 
 TEST(ResultHtml, ExactnessIsFoldedAndLimitsAndFailedChecksAreNot) {
@@ -115,20 +68,22 @@ TEST(ResultHtml, ExactnessIsFoldedAndLimitsAndFailedChecksAreNot) {
                                 {"checks",
                                  {check("deviation", "geometry", 0.2, 1), check("chord", "geometry", 0.5, 1),
                                   check("velocity x", "limit", 75, 100), check("rest", "continuity", 3, 0, false)}}};
-  const std::string text = verification(verdict);
+  const std::string text = verification(verdict, english);
   const std::size_t fold = text.find("<details>");
   EXPECT_TRUE(has(text, "Verification: failed"));
-  EXPECT_LT(text.find("<td>rest</td>"), text.find("<td>velocity x</td>"));
-  EXPECT_LT(text.find("<td>velocity x</td>"), fold);
-  EXPECT_LT(fold, text.find("<td>deviation</td>"));
-  EXPECT_TRUE(has(text, "geometry: 2 checks passed, largest use 50 % (chord)")) << text;
+  EXPECT_LT(text.find(">rest</th>"), text.find(">velocity x</th>"));
+  EXPECT_LT(text.find(">velocity x</th>"), fold);
+  EXPECT_LT(fold, text.find(">deviation</th>"));
+  EXPECT_TRUE(has(text, "2 exactness checks passed, largest use 50 % (chord)")) << text;
   EXPECT_TRUE(has(text, "value=\"0.7500\"")) << text;
-  EXPECT_EQ(count(text, "<details"), 1U) << "a group without a check that passed has nothing to fold";
+  EXPECT_EQ(count(text, "<details"), 1U) << "all groups are folded together";
+  EXPECT_EQ(count(text, "scope=\"rowgroup\""), 1U) << "a group without a check that passed has nothing to fold";
+  EXPECT_TRUE(has(text, "data-at=\"0.5\" data-unit=\"s\"")) << text;
 }
 
 TEST(ResultHtml, ALeastPermittedValueIsUsedTheLessTheLargerTheValueIs) {
   const auto shown = [](double value, double limit, bool passed) {
-    return verification({{"passed", passed}, {"checks", {check("clearance", "limit", value, limit, passed)}}});
+    return verification({{"passed", passed}, {"checks", {check("clearance", "limit", value, limit, passed)}}}, english);
   };
   EXPECT_TRUE(has(shown(4, 1, true), "value=\"0.2500\""));
   EXPECT_TRUE(has(shown(1, 4, false), "optimum=\"0\" value=\"4.0000\"></meter> 400 %"));
@@ -136,12 +91,28 @@ TEST(ResultHtml, ALeastPermittedValueIsUsedTheLessTheLargerTheValueIs) {
   EXPECT_FALSE(has(shown(4, 0, true), "<meter")) << "a limit of 0 has no share";
 }
 
+TEST(ResultHtml, ABoundIsASentenceWithAGauge) {
+  const ordered_json result = {{"bound", {{"duration", 3.31485}, {"gap", 2e-7}, {"basis", "axis <limits>"}}}};
+  const std::string text = bound_sentence(result, english);
+  EXPECT_TRUE(has(text, "No motion within these limits is shorter than 3.31485 s: at most 0.00002 % to gain.")) << text;
+  EXPECT_TRUE(has(text, "<meter max=\"1\"")) << text;
+  EXPECT_TRUE(has(text, "axis &lt;limits&gt;")) << text;
+  EXPECT_TRUE(has(bound_sentence(result, german), "3,31485 s")) << bound_sentence(result, german);
+  EXPECT_TRUE(has(bound_sentence({{"bound", {{"duration", 2}, {"gap", 1}}}}, english), "at most 50 % to gain"));
+  EXPECT_TRUE(
+      has(bound_sentence({{"bound", {{"count", 60}, {"gap", 0.05}}}}, english), "more than 60 wires: at most 5 %"));
+  EXPECT_TRUE(has(bound_sentence({{"bound", {{"objective", 1.5}, {"gap", 0}}}}, english), "below 1.5: at most 0 %"));
+  EXPECT_EQ(bound_sentence({{"bound", {{"objective", 0}, {"gap", nullptr}}}}, english), "");
+  EXPECT_EQ(bound_sentence(ordered_json::object(), english), "");
+}
+
 TEST(ResultHtml, MissingAndInfiniteFiguresAreNoFault) {
-  EXPECT_EQ(verification(ordered_json()), "");
-  EXPECT_EQ(figures(ordered_json(), "contour", "summary"), "");
+  EXPECT_EQ(verification(ordered_json(), english), "");
+  EXPECT_EQ(figures(ordered_json(), "contour", "summary", english), "");
   const double infinite = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(has(verification({{"passed", true}, {"checks", {check("a", "limit", 1, infinite)}}}), "<td>a</td>"));
-  EXPECT_TRUE(has(verification({{"passed", true}, {"checks", {{{"name", "old"}, {"passed", true}}}}}), "old"));
+  EXPECT_TRUE(
+      has(verification({{"passed", true}, {"checks", {check("a", "limit", 1, infinite)}}}, english), ">a</th>"));
+  EXPECT_TRUE(has(verification({{"passed", true}, {"checks", {{{"name", "old"}, {"passed", true}}}}}, english), "old"));
 }
 
 }  // namespace
