@@ -67,14 +67,17 @@ page "/jobs/$id"
 has '&lt;script&gt;'
 has 'class="state succeeded"'
 has 'Verification: passed'
-has '<td>acceleration x</td>'
-has '<th>path length</th><td>1178.19 mm</td>'
+has '>acceleration x</th>'
+has '<th scope="row">path length</th><td>1178.19 mm</td>'
 has 'setpoints?format=csv'
-has '>verified</strong> · contour · duration <strong>[0-9.]* s</strong> · gap to the bound <strong>'
-has '<tr><td>feed</td><td class="k"><meter max="1" value="0.53'
+has 'data-verdict><strong class="big">[0-9.]* s</strong> <strong class="state succeeded">good</strong><br> Feed 5[0-9] %, '
+has ' At the programmed feed the cuts take [0-9.]* s; '
+has '<tr data-limit="[0-9]*"><th scope="row">feed</th><td class="k"><meter max="1" aria-label="feed" value="0.53'
 has '<h2>Slowest blocks</h2>'
-has '<details><summary>geometry: [0-9]* checks passed, largest use '
-has '<th>created</th><td><time datetime="20[^"]*Z">20[^<]* UTC</time>'
+has '<details><summary>[0-9]* exactness checks passed, largest use '
+has 'No motion within these limits is shorter than [0-9.]* s: at most [0-9.]* % to gain'
+has '<th scope="row">created</th><td><time datetime="20[^"]*Z">20[^<]* UTC</time>'
+has ' data-independent="time" data-unit="s" data-columns="x,y,'
 links 8
 
 # Lines of a program come with their text, escaped; at most five.
@@ -83,16 +86,20 @@ post "$work/program.json"
 await succeeded
 page "/jobs/$id"
 has '<h2>Slowest lines</h2>'
-has '<code>G0 X10 (&lt;b&gt;)</code>'
-[[ $(grep -c '</code></td><td class="n k">' "$work/page") == 5 ]] || fail "five lines"
+has '<code><bdi>G0 X10 (&lt;b&gt;)</bdi></code>'
+has '<tr data-first="[0-9]*" data-count="[0-9]*"><th scope="row" class="n">[0-9]</th>'
+[[ $(grep -c '</code></td><td class="n k">' "$work/page") == 7 ]] || fail "all lines that move"
+page "/jobs/$id?lang=de"
+has '<h2>Langsamste Zeilen</h2>'
+has ' Mit dem programmierten Vorschub dauern die Schnitte [0-9,]* s'
 
 # Every figure of a kind has its unit.
 jq '.spec.machine = $machine' --argjson machine "$(jq -c . "$examples/machines/md1.json")" "$examples/bracket.json" >"$work/stages.json"
 post "$work/stages.json"
 await succeeded 120
 page "/jobs/$id"
-has '<th>coarse smoothness</th><td>x [0-9.e+]*, y [0-9.e+]* mm²/s³</td>'
-has '<th>peak coarse acceleration</th><td>x [0-9.e+]*, y [0-9.e+]* mm/s²</td>'
+has '<th scope="row">coarse smoothness</th><td>x [0-9.e+]*, y [0-9.e+]* mm²/s³</td>'
+has '<th scope="row">peak coarse acceleration</th><td>x [0-9.e+]*, y [0-9.e+]* mm/s²</td>'
 
 jq -c '.spec.wires = [0.9] | .spec.algorithms = ["orthocyclic_base", "needle"]' "$examples/stator_slot.json" >"$work/slot.json"
 post "$work/slot.json"
@@ -111,9 +118,9 @@ jq '.spec.coil.turns = 1 | .spec.feed.interpolator = "taylor1"' "$examples/rotor
 post "$work/scatter.json"
 await failed 120
 page "/jobs/$id"
-has '>not verified</strong> failed: setpoint [^·]* · winding · duration'
-has ' % <strong>failed</strong></td>'
-[[ $(grep -n 'Verification: failed' "$work/page" | cut -d: -f1) -lt $(grep -n '<h2>Drawings' "$work/page" | cut -d: -f1) ]] || fail "failed checks come first"
+has '>not good</strong><br> Failed: setpoint '
+has ' % <strong class="state failed">failed</strong></td>'
+[[ $(grep -n 'Verification: failed' "$work/page" | cut -d: -f1) -lt $(grep -n 'id="why"' "$work/page" | cut -d: -f1) ]] || fail "failed checks come first"
 has 'drawings/feed.svg'
 hasnt 'setpoints?'
 links 6
@@ -133,13 +140,15 @@ snake 20000 >"$work/long.json"
 post "$work/long.json"
 await running
 page "/jobs/$id"
-has '<progress max="1" value="'
+has '<section id="live"><p><progress max="1" value="'
 hasnt '/result"'
 links 3
 request POST "/v1/jobs/$id/cancel"
 await cancelled
 page "/jobs/$id"
 has 'The job was cancelled'
+has 'href="/new?from='
+hasnt 'id="live"'
 links 4
 
 page /

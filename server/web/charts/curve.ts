@@ -40,7 +40,7 @@ export function drawCurve(canvas: HTMLCanvasElement, column: ChartColumn, data: 
                           palette: Palette, frame: Frame, rows: number): Drawn | null {
   const picture = begin(canvas);
   if (!picture) return null;
-  const { context, width, height } = picture, parts = data.parts(column.name, frame.first, frame.end);
+  const { context, width, height, snap } = picture, parts = data.parts(column.name, frame.first, frame.end);
   let low = Infinity, high = -Infinity;
   for (const part of parts) {
     const range = part.envelope.range(column.name, part.from, part.to);
@@ -58,12 +58,12 @@ export function drawCurve(canvas: HTMLCanvasElement, column: ChartColumn, data: 
   }
   const [from, to] = axisRange(low, high);
   const scale: Scale = { x: frame.x, y: (value) => height - 1 - ((value - from) / (to - from)) * (height - 2) };
-  const right = width - frame.right;
+  const right = width - frame.right, bars: Scale = { x: (row) => snap(frame.x(row)), y: scale.y };
 
   context.lineWidth = 1;
   context.fillStyle = palette.of("--line");
   for (const x of frame.grid) context.fillRect(Math.round(x), 0, 1, height);
-  const vertical = ticks(from, to, Math.max(2, height / 26));
+  const vertical = ticks(from, to, Math.max(3, height / 18));
   context.font = "11px system-ui, sans-serif";
   context.textAlign = "right";
   context.textBaseline = "middle";
@@ -90,7 +90,7 @@ export function drawCurve(canvas: HTMLCanvasElement, column: ChartColumn, data: 
   for (const { envelope, from: a, to: b } of parts) {
     const wide = envelope.exact && (scale.x(b) - scale.x(a)) / Math.max(1, b - a) > 1.5;
     segments += wide ? drawLine(context, envelope, column.name, a, b, scale, colourOf)
-                     : fillIntervals(envelope, column.name, a, b, scale, 1.5, (x, y, w, h) => context.fillRect(x, y, w, h),
+                     : fillIntervals(envelope, column.name, a, b, bars, 1.5, (x, y, w, h) => context.fillRect(x, y, w, h),
                                      (interval) => (context.fillStyle = colourOf(envelope, interval)));
   }
   context.setLineDash([5, 3]);

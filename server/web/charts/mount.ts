@@ -65,9 +65,9 @@ class Curves {
   private readonly overview = h("canvas", { class: "overview", role: "img", "aria-label": t("overview") });
   private readonly readout = h("output", { class: "readout" });
   private readonly legend = h("div", { class: "legend" });
-  private readonly lock = h("button", { type: "button", "aria-pressed": "false", onclick: () => this.toggleLock() }, t("lock"));
+  private readonly lock = h("button", { type: "button", "aria-pressed": "false", click: () => this.toggleLock() }, t("lock"));
   private readonly trouble = h("p", { class: "error", hidden: true });
-  private readonly table = h("details", { ontoggle: () => this.drawTable() }, h("summary", {}, t("table")));
+  private readonly table = h("details", { toggle: () => this.drawTable() }, h("summary", {}, t("table")));
   private readonly tableBody = h("div", { class: "scroll", tabindex: "0" });
 
   constructor(private readonly section: HTMLElement, private readonly job: PlannedJob) {
@@ -114,16 +114,16 @@ class Curves {
   }
 
   private build(): void {
-    const button = (text: string, label: string, act: () => void): HTMLElement => h("button", { type: "button", "aria-label": label, title: label, onclick: act }, text);
+    const button = (text: string, label: string, act: () => void): HTMLElement => h("button", { type: "button", "aria-label": label, title: label, click: act }, text);
     const over = this.hasLength()
-      ? h("label", {}, t("over") + " ", h("select", { onchange: (event: Event) => this.changeAxis((event.target as HTMLSelectElement).value === "s") },
+      ? h("label", {}, t("over") + " ", h("select", { change: (event: Event) => this.changeAxis((event.target as HTMLSelectElement).value === "s") },
           h("option", { value: "t", selected: !this.overLength }, t("over_time")), h("option", { value: "s", selected: this.overLength }, t("over_length"))))
       : null;
     this.stack.append(this.ribbon, this.axis, this.list, this.line, this.selection);
     this.table.append(this.tableBody);
     append(this.section, h("h2", {}, t("title")),
            h("div", { class: "tools no-print" }, button("−", t("farther"), () => this.zoomBy(2)), button("+", t("closer"), () => this.zoomBy(0.5)),
-             h("button", { type: "button", onclick: () => this.showWhole() }, t("whole")), over, this.lock, this.readout),
+             h("button", { type: "button", click: () => this.showWhole() }, t("whole")), over, this.lock, this.readout),
            this.legend, this.stack, this.overview, this.trouble, h("p", { class: "soft hint no-print" }, t("hint")), this.chooser(), this.table);
     this.buildCharts();
     const rowAt = (x: number): number => this.rowAt(x);
@@ -157,7 +157,7 @@ class Curves {
     const present = quantities.filter((quantity) => quantity !== "other" && this.all.some((column) => column.quantity === quantity));
     const box = (column: ChartColumn | undefined, text = ""): HTMLElement =>
       column ? h("label", {}, h("input", { type: "checkbox", name: "cols", value: column.name, checked: this.shown.includes(column.name), "aria-label": columnName(column, this.job.kind),
-                                           onchange: (event: Event) => this.choose(column.name, (event.target as HTMLInputElement).checked) }), text)
+                                           change: (event: Event) => this.choose(column.name, (event.target as HTMLInputElement).checked) }), text)
              : h("span", {});
     const head = h("tr", {}, h("th", { scope: "col" }, t("axis")));
     for (const quantity of present) head.append(h("th", { scope: "col" }, t(quantity)));
@@ -272,7 +272,7 @@ class Curves {
 
   private showLegend(): void {
     const limits = [...this.currentLimits()].filter((limit) => limit.share > 0).sort((a, b) => b.share - a.share);
-    if (!limits.some((limit) => limit.unit !== null)) return;
+    if (!this.limits.some((limit) => limit.unit !== null && limit.share > 0)) return;
     const said = limits.map((limit) => `${limit.id} ${percent(limit.share)}`).join();
     if (said === this.legendSays) return;
     this.legendSays = said;
@@ -281,8 +281,8 @@ class Curves {
     for (const limit of limits.slice(0, 9)) {
       const swatch = h("span", { class: "swatch", "aria-hidden": "true" }), name = statesName[limit.id] === "ahead" ? t("ahead") : nameOf(limit.name);
       swatch.style.background = `var(${this.colours.get(limit.id) ?? "--rapid"})`;
-      const chip = h("button", { type: "button", class: "chip", "data-limit": String(limit.id), onclick: () => this.showLimit(limit.id),
-                                 onpointerenter: () => this.lookAt(limit.id), onpointerleave: () => this.lookAt(null) }, swatch, `${name} ${percent(limit.share)}`);
+      const chip = h("button", { type: "button", class: "chip", "data-limit": String(limit.id), click: () => this.showLimit(limit.id),
+                                 pointerenter: () => this.lookAt(limit.id), pointerleave: () => this.lookAt(null) }, swatch, `${name} ${percent(limit.share)}`);
       this.legend.append(chip);
       if (old === String(limit.id)) chip.focus({ preventScroll: true });
     }
@@ -313,7 +313,8 @@ class Curves {
       if (!cell || cell.querySelector("button")) continue;
       const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
       swatch.style.background = `var(${this.colours.get(id) ?? "--rapid"})`;
-      fill(cell, swatch, h("button", { type: "button", class: "link", onclick: () => this.showLimit(id) }, cell.textContent ?? ""));
+      row.style.setProperty("--meter", `var(${this.colours.get(id) ?? "--rapid"})`);
+      fill(cell, swatch, h("button", { type: "button", class: "link", click: () => this.showLimit(id) }, cell.textContent ?? ""));
     }
   }
 
@@ -367,7 +368,7 @@ class Curves {
 
   private loaded(): void {
     this.trouble.hidden = !this.data.failed;
-    if (this.data.failed) fill(this.trouble, t("failed") + " ", h("button", { type: "button", onclick: () => this.data.want(this.wanted(), true) }, t("again")));
+    if (this.data.failed) fill(this.trouble, t("failed") + " ", h("button", { type: "button", click: () => this.data.want(this.wanted(), true) }, t("again")));
     this.draw();
     this.drawTable();
   }
@@ -383,8 +384,8 @@ class Curves {
   private choose(name: string, on: boolean): void {
     const set = new Set(this.shown);
     on ? set.add(name) : set.delete(name);
-    this.shown = this.all.map((column) => column.name).filter((each) => set.has(each));
-    // Use is the last one.
+    const rank = (column: ChartColumn): number => (column.quantity === "use" ? 2 : column.axis === "" ? 0 : 1); // the path first, use last
+    this.shown = [...this.all].sort((a, b) => rank(a) - rank(b)).map((column) => column.name).filter((each) => set.has(each));
     keepInAddress({ cols: this.shown.join(",") });
     for (const box of this.section.querySelectorAll<HTMLInputElement>("input[name=cols]")) box.checked = set.has(box.value);
     this.buildCharts();

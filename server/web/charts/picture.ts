@@ -5,6 +5,7 @@ export interface Picture {
   context: CanvasRenderingContext2D;
   width: number; // CSS pixels
   height: number;
+  snap: (x: number) => number; // the nearest edge of the screen's pixels: neighbouring rectangles leave no seam
 }
 
 /** Returns the canvas with the size that it has on the page, cleared. Null where it is not shown. */
@@ -19,7 +20,8 @@ export function begin(canvas: HTMLCanvasElement): Picture | null {
   }
   context.setTransform(w / width, 0, 0, h / height, 0, 0);
   context.clearRect(0, 0, width, height);
-  return { canvas, context, width, height };
+  const across = w / width;
+  return { canvas, context, width, height, snap: (x) => Math.round(x * across) / across };
 }
 
 /** Colours of the style as they are now, in the light or the dark scheme. */

@@ -46,7 +46,7 @@ export function drawRibbon(canvas: HTMLCanvasElement, parts: readonly Shares[], 
                            palette: Palette, only: number | null): number {
   const picture = begin(canvas);
   if (!picture) return 0;
-  const { context, width, height } = picture;
+  const { context, width, height, snap } = picture, place = (row: number): number => snap(x(row));
   context.save();
   context.beginPath();
   context.rect(left, 0, width - left - right, height);
@@ -54,8 +54,8 @@ export function drawRibbon(canvas: HTMLCanvasElement, parts: readonly Shares[], 
   let drawn = 0;
   for (const part of parts) {
     // Finer data replace what lies below.
-    context.clearRect(x(part.index[0] ?? 0), 0, x(part.end) - x(part.index[0] ?? 0), height);
-    drawn += fillShares(context, part, x, 0, height, colours, palette, only);
+    context.clearRect(place(part.index[0] ?? 0), 0, place(part.end) - place(part.index[0] ?? 0), height);
+    drawn += fillShares(context, part, place, 0, height, colours, palette, only);
   }
   context.restore();
   return drawn;
@@ -66,8 +66,8 @@ export function drawOverview(canvas: HTMLCanvasElement, whole: Shares | null, to
                              colours: Map<number, string>, palette: Palette): number {
   const picture = begin(canvas);
   if (!picture) return 0;
-  const { context, width, height } = picture, span = width - left - right;
-  const x = (row: number): number => left + (row / total) * span;
+  const { context, width, height, snap } = picture, span = width - left - right;
+  const x = (row: number): number => snap(left + (row / total) * span);
   const drawn = whole ? fillShares(context, whole, x, 3, height - 6, colours, palette, null) : 0;
   const from = x(first), to = Math.max(from + 3, x(first + count));
   context.fillStyle = palette.of("--back");

@@ -28,7 +28,7 @@ export function fillTable(data: ChartData, columns: readonly TableColumn[], rang
   const body = h("tbody"), count = Math.min(lines, range.end - range.first);
   for (let k = 0; k < count; ++k) {
     const from = range.first + Math.floor((k * (range.end - range.first)) / count), to = range.first + Math.floor(((k + 1) * (range.end - range.first)) / count);
-    const row = h("tr", {}, h("th", { scope: "row", class: "n" }, to - from > 1 ? `${from} – ${to - 1}` : String(from)), h("td", { class: "n" }, number(from * range.cycle)));
+    const row = h("tr", {}, h("th", { scope: "row", class: "n k" }, to - from > 1 ? `${from} – ${to - 1}` : String(from)), h("td", { class: "n" }, number(from * range.cycle)));
     for (const column of columns) {
       let low = Infinity, high = -Infinity;
       for (const part of data.parts(column.name, from, to)) {

@@ -47,7 +47,7 @@ export function followJob(id: string, begin: () => void): void {
   if (!live) return;
   const bar = live.querySelector("progress"), stage = live.querySelector<HTMLElement>(".stage");
   const times = h("p", { class: "times", role: "status" }), trouble = h("p", { class: "error", hidden: true });
-  const cancel = h("button", { type: "button", id: "cancel", onclick: () => void stop() }, t("cancel"));
+  const cancel = h("button", { type: "button", id: "cancel", click: () => void stop() }, t("cancel"));
   append(live, times, h("p", {}, cancel), trouble);
   let job: JobResource | null = null, clock = 0; // ms that the service's clock is ahead of this one
   let events: EventSource | null = null, over = false;
@@ -124,7 +124,7 @@ function stageName(name: string): string {
 /** A button that plans a job's document again with the question what would make it faster. */
 export function offerWhatIf(id: string, why: HTMLElement): void {
   const trouble = h("span", { class: "soft", role: "status" });
-  const button = h("button", { type: "button", id: "what-if", onclick: () => void plan() }, t("plan_what_if"));
+  const button = h("button", { type: "button", id: "what-if", click: () => void plan() }, t("plan_what_if"));
   why.append(h("p", { class: "no-print" }, button, " ", trouble));
   const plan = async (): Promise<void> => {
     button.disabled = true;
@@ -144,7 +144,7 @@ export function offerWhatIf(id: string, why: HTMLElement): void {
 /** A button that plans the document of a job again that failed or was cancelled. */
 export function offerRetry(id: string, place: HTMLElement): void {
   const trouble = h("span", { class: "soft", role: "status" });
-  const button = h("button", { type: "button", id: "retry", onclick: () => void retry() }, t("retry"));
+  const button = h("button", { type: "button", id: "retry", click: () => void retry() }, t("retry"));
   place.append(h("p", { class: "no-print" }, button, " ", trouble));
   const retry = async (): Promise<void> => {
     button.disabled = true;

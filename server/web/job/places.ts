@@ -15,7 +15,7 @@ const showCurves = (): void =>
 function makeButton(cell: HTMLElement, act: () => void): void {
   const text = cell.textContent ?? "";
   if (text === "" || cell.querySelector("button")) return;
-  fill(cell, h("button", { type: "button", class: "link", title: t("show_place"), onclick: act }, text));
+  fill(cell, h("button", { type: "button", class: "link", title: t("show_place"), click: act }, text));
 }
 
 export function linkPlaces(job: PlannedJob, root: ParentNode = document): void {
