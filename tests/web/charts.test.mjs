@@ -79,6 +79,13 @@ test('a constant is a line of the least thickness around its value', () => {
   assert.deepEqual(drawn, [[0, 2, 5, 2], [5, 2, 5, 2]]);
 });
 
+test('a derivative that the series lacks is a difference, where every row is known', () => {
+  const e = new Envelope({ names: ['index', 'ax_min', 'ax_max'], data: new Float32Array([0, 1, 1, 1, 3, 3, 2, 2, 2]), headers: null }, 0, 3, 0.5);
+  assert.deepEqual([0, 1, 2].map((i) => e.most(i, 'd:ax')), [4, -2, -2]);
+  assert.deepEqual(e.range('d:ax', 0, 3), [-2, 4]);
+  assert.equal(new Envelope({ names: ['index', 'ax_min', 'ax_max'], data: new Float32Array([0, 1, 1, 2, 3, 3]), headers: null }, 0, 4, 0.5).has('d:ax'), false);
+});
+
 test('a line of few rows passes all of them and their neighbours outside the picture', () => {
   const e = envelope(0, 6, [0, 1, 2, 3, 4, 5], (i) => i, (i) => i);
   const points = [];
@@ -107,14 +114,14 @@ test('the longest stretch of a limit is found, and shown with its neighbourhood'
 test('columns of every kind are told apart by axis and derivative', () => {
   const of = (names, kind) => Object.fromEntries(chartColumns(names, names.map(() => 'mm'), kind).map((each) => [each.name, `${each.quantity} ${each.axis}`.trim()]));
   const contour = of(['x', 'y', 'vx', 'vy', 'ax', 'ay', 's', 'v', 'mode', 'block'], 'contour');
-  assert.deepEqual(contour, { x: 'position x', y: 'position y', vx: 'velocity x', vy: 'velocity y', ax: 'acceleration x', ay: 'acceleration y', s: 'position', v: 'velocity', use: 'use' });
+  assert.deepEqual(contour, { x: 'position x', y: 'position y', vx: 'velocity x', vy: 'velocity y', ax: 'acceleration x', ay: 'acceleration y', s: 'position', v: 'velocity', 'd:ax': 'jerk x', 'd:ay': 'jerk y', use: 'use' });
   const stages = of(['x', 'vx', 'ax', 'xc', 'xf', 'vxc', 'vxf', 'axc', 'axf'], 'contour');
   assert.equal(stages.axf, 'acceleration xf');
   assert.equal(stages.xc, 'position xc');
   const law = of(['phi', 's', 'v', 'a', 'j'], 'motion_law');
-  assert.deepEqual(law, { s: 'position', v: 'velocity', a: 'acceleration', j: 'jerk', use: 'use' });
+  assert.deepEqual(law, { s: 'position', v: 'velocity', a: 'acceleration', j: 'jerk', 'd:j': 'snap', use: 'use' });
   const winding = of(['q1', 'vq1', 'aq1', 'jq1', 'x', 'phi', 'v', 'brake'], 'winding');
-  assert.deepEqual(winding, { q1: 'position q1', vq1: 'velocity q1', aq1: 'acceleration q1', jq1: 'jerk q1', x: 'position x', phi: 'position phi', v: 'velocity', brake: 'other brake', use: 'use' });
+  assert.deepEqual(winding, { q1: 'position q1', vq1: 'velocity q1', aq1: 'acceleration q1', jq1: 'jerk q1', 'd:jq1': 'snap q1', x: 'position x', phi: 'position phi', v: 'velocity', brake: 'other brake', use: 'use' });
   assert.deepEqual(defaultColumns(chartColumns(['x', 'vx', 'ax', 'v'], ['mm', 'mm/s', 'mm/s²', 'mm/s'], 'contour'), 'contour'), ['v', 'ax', 'use']);
 });
 

@@ -2,6 +2,7 @@
  *  step that have not been answered are given up. */
 import { getColumns } from "../base/api";
 import { askLimits, type LimitsAnswer, type PlannedJob } from "../base/planned_job";
+import { sourceOf } from "./columns";
 import { Envelope } from "./intervals";
 
 const mostPoints = 600; // 32 rows each are read at most: below 20 000
@@ -33,7 +34,7 @@ export class ChartData {
 
   /** Asks for what the shown rows and columns need and is not there, at once or after a moment without another call. */
   want(columns: string[], atOnce = false): void {
-    this.columns = columns;
+    this.columns = [...new Set(columns.map(sourceOf))];
     clearTimeout(this.timer);
     if (atOnce) void this.load();
     else this.timer = window.setTimeout(() => void this.load(), patience);
@@ -70,7 +71,7 @@ export class ChartData {
       ]);
       if (abort.signal.aborted) return;
       this.failed = false;
-      if (columns) this.detail = new Envelope(columns, first, first + count);
+      if (columns) this.detail = new Envelope(columns, first, first + count, this.job.seconds);
       if (columns && all) [this.whole, this.detail] = [this.detail, null];
       if (all) this.detailLimits = null;
       if (shares) this.detailLimits = { ...shares, first, end: first + count };
@@ -99,12 +100,18 @@ export class RowWindow {
   constructor(private readonly job: PlannedJob, private readonly changed: () => void) {}
   /** Returns the value of a column in a row; null where it is not there. */
   value(row: number, column: string): number | null {
+    const source = sourceOf(column);
+    if (source !== column) {
+      const from = Math.max(0, Math.min(row, this.job.rows - 2)), a = this.value(from, source), b = this.value(from + 1, source);
+      return a === null || b === null ? null : (b - a) / this.job.seconds;
+    }
     const place = this.names.indexOf(column);
     return place < 0 || row < this.first || row >= this.first + this.rows ? null : this.data[(row - this.first) * this.width + place]!;
   }
   /** Asks for rows around `row` after a moment, unless they are there. */
   want(row: number, columns: string[]): void {
-    if (columns.every((column) => this.value(row, column) !== null)) return;
+    columns = [...new Set(columns.map(sourceOf))];
+    if (columns.every((column) => this.value(row, column) !== null && this.value(Math.min(row + 1, this.job.rows - 1), column) !== null)) return;
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => void this.load(row, columns), 150);
   }

@@ -1,14 +1,20 @@
 /** Which axis and which derivative a column of the setpoints is. */
 
-export type Quantity = "position" | "velocity" | "acceleration" | "jerk" | "use" | "other";
-export const quantities: readonly Quantity[] = ["position", "velocity", "acceleration", "jerk", "use", "other"];
+export type Quantity = "position" | "velocity" | "acceleration" | "jerk" | "snap" | "use" | "other";
+export const quantities: readonly Quantity[] = ["position", "velocity", "acceleration", "jerk", "snap", "use", "other"];
 
 export interface ChartColumn {
   name: string;
   unit: string; // "" for shares
   quantity: Quantity;
   axis: string; // "" for what belongs to the path, or the law, as a whole
+  of?: string; // the column of the series of which this is the difference per cycle
 }
+
+const differences = "d:";
+/** Returns the column of the series from which a shown one comes: "ax" of "d:ax". */
+export const sourceOf = (name: string): string => (name.startsWith(differences) ? name.slice(differences.length) : name);
+const next: Partial<Record<Quantity, [Quantity, string]>> = { acceleration: ["jerk", "/s³"], jerk: ["snap", "/s⁴"] };
 
 const derivatives: Record<string, Quantity> = { s: "position", v: "velocity", a: "acceleration", j: "jerk" };
 const numbers = new Set(["mode", "block", "phi_master"]);
@@ -25,6 +31,12 @@ export function chartColumns(names: string[], units: string[], kind: string): Ch
     else if (/^(x|y|z|phi|psi|q\d)$/.test(name)) list.push({ name, unit, quantity: "position", axis: name });
     else list.push({ name, unit, quantity: "other", axis: name });
   });
+  // The derivative that the series lacks is a difference of the last one that it has, as the service takes it for its limits.
+  for (const column of [...list]) {
+    const [quantity, per] = next[column.quantity] ?? [];
+    if (quantity && !list.some((each) => each.axis === column.axis && each.quantity === quantity) && (column.axis !== "" || kind === "motion_law"))
+      list.push({ name: differences + column.name, unit: column.unit.replace(/\/s.*$/, "") + per!, quantity, axis: column.axis, of: column.name });
+  }
   list.push({ name: "use", unit: "", quantity: "use", axis: "" });
   return list;
 }

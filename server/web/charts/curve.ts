@@ -24,7 +24,7 @@ export interface Drawn {
 
 /** Returns what of a limit can be drawn as lines in a chart of its column: [first row, end, value]. */
 export function limitLines(limit: Limit, column: ChartColumn, rows: number): [number, number, number][] {
-  if (limit.column !== column.name || (limit.unit ?? "") !== column.unit) return [];
+  if (limit.column !== (column.of ?? column.name) || (limit.unit ?? "") !== column.unit) return [];
   const lines: [number, number, number][] = [];
   const add = (first: number, end: number, value: number | null, lowest: number | null | undefined): void => {
     if (value !== null) lines.push([first, end, value]);
@@ -36,8 +36,9 @@ export function limitLines(limit: Limit, column: ChartColumn, rows: number): [nu
   return lines;
 }
 
+/** `closer` is what stands in place of a curve that is known of single rows alone. */
 export function drawCurve(canvas: HTMLCanvasElement, column: ChartColumn, data: ChartData, limits: readonly Limit[], colours: Map<number, string>,
-                          palette: Palette, frame: Frame, rows: number): Drawn | null {
+                          palette: Palette, frame: Frame, rows: number, closer: string): Drawn | null {
   const picture = begin(canvas);
   if (!picture) return null;
   const { context, width, height, snap } = picture, parts = data.parts(column.name, frame.first, frame.end);
@@ -47,7 +48,7 @@ export function drawCurve(canvas: HTMLCanvasElement, column: ChartColumn, data: 
     if (range) [low, high] = [Math.min(low, range[0]), Math.max(high, range[1])];
   }
   if (column.quantity === "use") [low, high] = [0, Math.max(1, high)];
-  const own = limits.filter((limit) => limit.column === column.name);
+  const own = limits.filter((limit) => limit.column === (column.of ?? column.name) && (!column.of || limit.unit === column.unit));
   const lines = own.flatMap((limit) => limitLines(limit, column, rows).map((line) => ({ line, limit }))).filter(({ line }) => line[1] > frame.first && line[0] < frame.end);
   const size = Math.max(Math.abs(low), Math.abs(high)), [least, most] = [low, high];
   for (const { line } of lines) {
@@ -55,6 +56,12 @@ export function drawCurve(canvas: HTMLCanvasElement, column: ChartColumn, data: 
     // A limit of a side on which nothing happens would flatten the curve.
     if (Math.abs(value) > 1.6 * size || (value < 0 && least >= 0) || (value > 0 && most <= 0)) continue;
     [low, high] = [Math.min(low, value), Math.max(high, value)];
+  }
+  if (column.of && !(low <= high)) {
+    context.font = "12px system-ui, sans-serif";
+    context.fillStyle = palette.of("--soft");
+    context.fillText(closer, frame.left + 6, height / 2);
+    return { segments: 0, low, high };
   }
   const [from, to] = axisRange(low, high);
   const scale: Scale = { x: frame.x, y: (value) => height - 1 - ((value - from) / (to - from)) * (height - 2) };

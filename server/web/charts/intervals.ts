@@ -1,5 +1,6 @@
 /** Envelopes: the least and the largest value of each column in intervals of rows, and what is drawn of them. */
 import type { Columns } from "../base/api";
+import { sourceOf } from "./columns";
 
 /** A rectangle in the pixels of a picture; `top` is the larger value's. */
 export type FillRect = (x: number, top: number, width: number, height: number) => void;
@@ -8,24 +9,35 @@ export class Envelope {
   readonly intervals: number;
   private readonly width: number;
   private readonly places: Map<string, number>;
-  /** `columns` is the answer with points=; rows [first, end) is what was asked for. */
-  constructor(private readonly columns: Columns, readonly first: number, readonly end: number) {
+  /** `columns` is the answer with points=; rows [first, end) is what was asked for; `seconds` is the time between two rows, for columns that are differences:
+   *  those are known where every interval is one row. */
+  constructor(private readonly columns: Columns, readonly first: number, readonly end: number, private readonly seconds = 1) {
     this.width = columns.names.length;
     this.intervals = this.width > 0 ? Math.floor(columns.data.length / this.width) : 0;
     this.places = new Map(columns.names.map((name, place) => [name, place]));
   }
   has(column: string): boolean {
-    return this.places.has(column + "_min");
+    const source = sourceOf(column);
+    return this.places.has(source + "_min") && (source === column || (this.exact && this.intervals > 1));
   }
   /** Returns the first row of an interval; that of the one behind the last is the end. */
   row(interval: number): number {
     return interval >= this.intervals ? this.end : this.columns.data[interval * this.width]!;
   }
   least(interval: number, column: string): number {
+    const source = sourceOf(column);
+    if (source !== column) return this.difference(interval, source);
     return this.columns.data[interval * this.width + this.places.get(column + "_min")!]!;
   }
   most(interval: number, column: string): number {
+    const source = sourceOf(column);
+    if (source !== column) return this.difference(interval, source);
     return this.columns.data[interval * this.width + this.places.get(column + "_max")!]!;
+  }
+  /** Returns the difference to the next row per second; that of the last row is the one before it. */
+  private difference(row: number, column: string): number {
+    const from = Math.min(row, this.intervals - 2);
+    return (this.least(from + 1, column) - this.least(from, column)) / this.seconds;
   }
   /** Returns the interval with a row, the first or last one for rows outside. */
   find(row: number): number {

@@ -228,7 +228,7 @@ class Curves {
     const frame: Frame = { left, right, first, end, x, grid: marks.values.map(place) };
     let segments = 0;
     for (const chart of this.charts) {
-      const drawn = drawCurve(chart.canvas, chart.column, this.data, this.currentLimits(), this.colours, this.palette, frame, this.job.rows);
+      const drawn = drawCurve(chart.canvas, chart.column, this.data, this.currentLimits(), this.colours, this.palette, frame, this.job.rows, t("zoom_in"));
       segments += drawn?.segments ?? 0;
       const name = columnName(chart.column, this.job.kind), scale = chart.column.quantity === "use" ? 100 : 1;
       chart.canvas.setAttribute("aria-label", drawn && drawn.low <= drawn.high
