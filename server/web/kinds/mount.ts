@@ -1,5 +1,29 @@
 /** What a kind shows beside curves and path. */
+import { Refused } from "../base/api";
+import { h } from "../base/dom";
 import type { PlannedJob } from "../base/planned_job";
+import { mountCoarseFine } from "./contour";
+import { mountFillFactor } from "./fill_factor";
+import { mountMotionLaw } from "./motion_law";
+import { t, whenSeen } from "./parts";
+import { mountProbePath } from "./probe_path";
+import { mountWinding } from "./winding";
 
-/** Fills the section of a job's kind. `job` is null where the kind has no setpoints. */
-export function mountKind(_section: HTMLElement, _kind: string, _id: string, _job: PlannedJob | null): void {}
+/** Fills the section of a job's kind when it comes near to what is seen, so that a page asks for nothing that nobody looks at. `job` is null where the kind
+ *  has no setpoints. */
+export function mountKind(section: HTMLElement, kind: string, id: string, job: PlannedJob | null): void {
+  const mounts: Record<string, () => Promise<void>> = {
+    contour: async () => (job ? mountCoarseFine(section, id, job) : undefined),
+    fill_factor: () => mountFillFactor(section, id),
+    motion_law: () => mountMotionLaw(section, id, job),
+    probe_path: () => mountProbePath(section, id, job),
+    winding: () => mountWinding(section, id, job),
+  };
+  const mount = mounts[kind];
+  if (!mount) return;
+  whenSeen(section, () => {
+    mount().catch((error: unknown) => {
+      section.append(h("p", { class: "error" }, error instanceof Refused ? `${error.problem.title}: ${error.message}` : t("lost")));
+    });
+  });
+}
