@@ -14,12 +14,13 @@ using winding::FixedPiece;
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t per_report = 1024;
 
-ordered_json support_point(const FixedPiece& piece, const winding::SupportPoint& point, const char* end) {
+ordered_json support_point(const FixedPiece& piece, const winding::SupportPoint& point, const char* end, double time) {
   const auto& [tip, phi, psi] = point.pose;
   return {{"coil", piece.coil + 1},
           {"turn", piece.turn + 1},
           {"region", laying_region(piece)},
           {"end", end},
+          {"time", time},
           {"position", {tip.x, tip.y, tip.z}},
           {"orientation", {degrees * phi, degrees * psi}},
           {"pivot_shift", degrees * point.pivot_shift},
@@ -33,8 +34,9 @@ ordered_json support_points(const WindingPlan& plan, Progress& progress) {
   for (std::size_t i = 0; i < plan.support.size(); ++i) {
     if (i % per_report == 0) progress.report("writing", 1);
     const FixedPiece& piece = plan.support[i];
-    list.push_back(support_point(piece, piece.begin, "begin"));
-    list.push_back(support_point(piece, piece.end, "end"));
+    const auto& [begin, end] = plan.support_times.at(i);
+    list.push_back(support_point(piece, piece.begin, "begin", begin));
+    list.push_back(support_point(piece, piece.end, "end", end));
   }
   return list;
 }

@@ -321,10 +321,17 @@ class Planner {
     const verify::Worst total = verify::total_jerk(plan_.tool->tool, plan_.motion.motion->law(), verifying);
     plan_.jerk.total = total.value, plan_.jerk.at = total.at;
     const Path& tool = plan_.tool->tool;
-    std::optional<std::size_t> last;
+    std::optional<std::size_t> last, passed;
+    plan_.support_times.resize(plan_.support.size());
     for (const LawPiece& law : plan_.motion.motion->law().pieces()) {
       const winding::NeedlePiece& piece = plan_.path.pieces[tool[law.segment].source()];
       const FixedPiece& fixed = plan_.support[piece.fixed];
+      if (!piece.link) {
+        WindingPlan::Passing& times = plan_.support_times[piece.fixed];
+        if (passed != piece.fixed) times.begin = law.t0;
+        times.end = law.t0 + law.duration;
+        passed = piece.fixed;
+      }
       if (piece.link || fixed.kind != FixedPiece::Kind::region || fixed.region != 0 || last == piece.fixed) continue;
       last = piece.fixed;
       plan_.turn_begins.push_back(law.t0);

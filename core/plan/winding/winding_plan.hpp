@@ -113,8 +113,13 @@ struct WindingPlan {
   struct Jerk {
     double along = 0, total = 0, at = 0;
   } jerk;
-  double strokes_per_minute = 0;             ///< wires in hand by the mean time of a turn [Herrmann (2.3)]
-  std::vector<double> turn_begins;           ///< s, when each turn begins
+  double strokes_per_minute = 0;    ///< wires in hand by the mean time of a turn [Herrmann (2.3)]
+  std::vector<double> turn_begins;  ///< s, when each turn begins
+  /// Times, s, at which the needle is at both ends of a fixed piece.
+  struct Passing {
+    double begin = 0, end = 0;
+  };
+  std::vector<Passing> support_times;        ///< one per entry of `support`
   WireFigures wire;                          ///< figures of the wire in the setpoints
   std::vector<FeedFluctuation> fluctuation;  ///< one entry per interpolator in `interpolators`
 };

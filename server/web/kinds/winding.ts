@@ -38,6 +38,7 @@ interface Clearance {
   region: string;
   link: boolean;
   nearest: string;
+  curve?: { most: number; obstacles: string[]; times: number[]; values: number[]; nearest: number[] };
 }
 interface Result {
   summary: { duration: number; wire_length: number; resistance: number; strokes_per_minute: number; turns: number; coils: number; clearance: number | null; path_length: number };
@@ -112,8 +113,8 @@ export async function mountWinding(section: HTMLElement, id: string, job: Planne
   }
   if (job) {
     const axes = details.axes.map((each) => each.name).filter((each) => job.columns.includes(each));
-    const clear = job.columns.includes("clearance") ? ["clearance"] : [], brake = job.columns.includes("brake") ? ["brake"] : [];
-    const [data, scene] = await Promise.all([envelope(id, [...axes, "v", ...clear, ...brake, "x", "y", "z", "phi", "psi"].filter((each) => job.columns.includes(each)), 1500), getJson<Scene>(`/v1/jobs/${id}/scene`).catch((error) => {
+    const columns = [...axes, "v", "brake", "x", "y", "z", "phi", "psi"].filter((each) => job.columns.includes(each));
+    const [data, scene] = await Promise.all([envelope(id, columns, 1500), getJson<Scene>(`/v1/jobs/${id}/scene`).catch((error) => {
       if (error instanceof Refused) return null;
       throw error;
     })]);
@@ -309,13 +310,20 @@ function flatViews(scene: Scene | null, points: SupportPoint[], data: Envelope, 
   return panel(t("flat_views"), legend({ colour: "--idle-back", name: t("part"), kind: "box" }, wires.length > 0 && { colour: "--c4", name: t("wire_so_far") }, { colour: "--c0", name: t("needle") }, { colour: "--rapid", name: t("needle_way") }), frame ? h("p", { class: "soft" }, frame) : null, box);
 }
 
+/** Returns a curve that has a value in each interval between bounds. */
+export function stairs(bounds: number[], values: number[], name: string, colour: string): Curve {
+  return { name, colour, x: values.flatMap((_, k) => [bounds[k]!, bounds[k + 1]!]), low: values.flatMap((each) => [each, each]) };
+}
+
 function overTime(data: Envelope, job: PlannedJob, details: Result["details"], axes: string[], summary: Result["summary"]): HTMLElement {
   const time = data.rows.map((row) => row * job.cycle), shared = followed(job, 0, job.cycle), charts: Chart[] = [];
   const add = (curve: Curve | null, label: string, yName: string, unit: string, height: number, rest: Partial<ConstructorParameters<typeof Chart>[0]> = {}): void => {
     if (curve) charts.push(new Chart({ label, height, xName: charts.length === 0 ? `${t("time")}, s` : "", yName, unit, curves: [curve], ...shared, ...rest }));
   };
   add(curveOf(data, "v", time, t("feed"), "--c0"), t("feed_chart"), `${t("feed")}, mm/s`, "mm/s", 150, { zero: true });
-  add(curveOf(data, "clearance", time, t("clearance"), "--c2"), t("clearance_chart"), `${t("clearance")}, mm`, "mm", 120, { zero: true, rules: summary.clearance !== null ? [{ value: summary.clearance, colour: "--c6" }] : [] });
+  const curve = details.clearance?.curve;
+  if (curve)
+    add(stairs(curve.times, curve.values, t("clearance"), "--c2"), t("clearance_chart"), `${t("clearance")}, mm (${t("at_most", { most: number(curve.most) })})`, "mm", 130, { zero: true, rules: summary.clearance !== null ? [{ value: summary.clearance, colour: "--c6" }] : [] });
   const wire = details.wire;
   add(curveOf(data, "brake", time, t("brake"), "--c3"), t("brake_chart"), `${t("brake")}, N`, "N", 110, wire ? { rules: [{ value: wire.force, colour: "--c6" }] } : {});
   const general = charts.length;

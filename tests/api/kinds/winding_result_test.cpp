@@ -56,6 +56,17 @@ TEST(WindingPlan, ResultHasTheContractsForm) {
   EXPECT_EQ(d["turns"].size(), 4u);
   // Four regions per turn and the way between the coils, two poses each.
   EXPECT_EQ(d["support_points"].size(), 2u * (4 * 4 + 1));
+  double before = 0;
+  std::vector<double> begins;
+  for (const auto& point : d["support_points"]) {
+    const double time = point["time"];
+    EXPECT_GE(time, before);
+    before = time;
+    if (point["region"] == "slot" && point["end"] == "begin") begins.push_back(time);
+  }
+  EXPECT_NEAR(before, job.result["setpoints"]["duration"].get<double>(), 1e-6);
+  ASSERT_EQ(begins.size(), 4u);
+  for (std::size_t i = 0; i < begins.size(); ++i) EXPECT_EQ(d["turns"][i]["begins"], begins[i]);
   EXPECT_EQ(d["links"].size() % 16, 0u);
   for (const auto& link : d["links"]) EXPECT_EQ(link["beta"].size(), 6u);
   const auto& path = d["path"];

@@ -1,0 +1,54 @@
+// Two jobs side by side.
+import { assert, colours, example, test, variants } from './support.mjs';
+
+const slower = () => {
+  const document = example('bracket.json');
+  document.name = 'bracket, half the acceleration';
+  for (const axis of Object.values(document.spec.machine.axes)) if (axis.acceleration) axis.acceleration /= 2;
+  return document;
+};
+const pair = async (service) => `/compare?a=${(await service.planned('bracket.json')).id}&b=${(await service.planned(slower())).id}`;
+
+test('two plans of one part: which is faster, where, at one cursor', async ({ service, visit }) => {
+  const address = await pair(service);
+  for (const variant of variants) {
+    const page = await visit(address, variant);
+    await page.locator('#compare canvas').first().waitFor();
+    await page.quiet();
+    await page.expectNoSidewaysScroll();
+    await page.axe();
+    assert.ok(colours(await page.pixels('#compare canvas')) > 2);
+    await page.close();
+  }
+  const page = await visit(address);
+  await page.locator('[data-verdict]').filter({ hasText: 'B takes' }).waitFor();
+  await page.locator('#compare canvas').first().waitFor();
+  await page.page.keyboard.press('ArrowRight');
+  await page.locator('.readout').filter({ hasText: 'Δt =' }).waitFor();
+  await page.page.keyboard.press('+');
+  const link = page.page.url(), read = await page.locator('.readout').innerText();
+  assert.match(link, /at=.*from=|from=.*at=/);
+  await page.close();
+  // The link carries everything.
+  const again = await visit(link.slice(service.url.length));
+  await again.locator('.readout').filter({ hasText: read }).waitFor();
+  assert.equal(await again.locator('#compare tr').filter({ hasText: 'duration' }).first().count(), 1);
+  await again.close();
+});
+
+test('plans of different kinds, a job that is not there, and none chosen are told plainly', async ({ service, visit }) => {
+  const a = (await service.planned('bracket.json')).id, b = (await service.planned('tolerance_boxes.json')).id;
+  let page = await visit(`/compare?a=${a}&b=${b}`);
+  await page.locator('.note').filter({ hasText: 'different kinds' }).waitFor();
+  assert.equal(await page.locator('#compare canvas').count(), 0);
+  await page.close();
+  page = await visit(`/compare?a=${a}&b=nothing`, { expect: { status: [404] } });
+  await page.locator('.error').filter({ hasText: 'There is no job' }).waitFor();
+  await page.close();
+  page = await visit('/compare');
+  await page.locator('#compare select').first().selectOption(a);
+  await page.locator('#compare select').nth(1).selectOption(b);
+  await page.page.getByRole('button', { name: 'Compare', exact: true }).click();
+  await page.locator('[data-verdict]').waitFor();
+  await page.close();
+});

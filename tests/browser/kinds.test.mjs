@@ -1,0 +1,83 @@
+// What a job's page shows of its kind, driven as somebody drives it.
+import { assert, colours, example, test, variants } from './support.mjs';
+
+const kinds = { 'coarse and fine': 'parts/fine_sheet.json', fill_factor: 'stator_slot.json', winding: 'rotor_coil.json', motion_law: 'tolerance_boxes.json', cam: 'radial_cam.json', probe_path: 'probe_space.json' };
+
+/** Brings the section of the kind into view and waits until it is there. */
+async function kindOf(page) {
+  await page.locator('#kind').scrollIntoViewIfNeeded();
+  await page.locator('#kind h2').first().waitFor();
+  await page.quiet();
+}
+
+for (const [name, file] of Object.entries(kinds))
+  test(`${name}: the section of the kind in both sizes, schemes and languages`, async ({ service, visit }) => {
+    const { id } = await service.planned(file);
+    for (const variant of variants) {
+      const page = await visit(`/jobs/${id}`, variant);
+      await kindOf(page);
+      await page.expectNoSidewaysScroll();
+      await page.axe();
+      for (const canvas of await page.locator('#kind canvas:not(.above)').all()) {
+        await canvas.scrollIntoViewIfNeeded();
+        assert.ok(colours(await page.pixels(canvas)) > 2, await canvas.getAttribute('aria-label'));
+      }
+      await page.close();
+    }
+  });
+
+test('fill_factor: a click on the map draws that layout, the slider lays its wires, the address carries both', async ({ service, visit }) => {
+  const { id } = await service.planned('stator_slot.json');
+  const page = await visit(`/jobs/${id}`);
+  await kindOf(page);
+  const cell = page.locator('button.heat').nth(7), title = await cell.getAttribute('title');
+  await cell.click();
+  assert.equal(await cell.getAttribute('aria-pressed'), 'true');
+  const most = Number(/: (\d+)/.exec(title)[1]);
+  await page.locator('#kind input[type=range]').press('Home');
+  await page.locator('#kind output').filter({ hasText: `0 of ${most}` }).waitFor();
+  await page.locator('#kind input[type=range]').press('ArrowRight');
+  const label = `1 of ${most}`;
+  await page.locator('#kind output').filter({ hasText: label }).waitFor();
+  const address = page.page.url();
+  assert.match(address, /laid=1/);
+  await page.close();
+  const again = await visit(address.slice(service.url.length));
+  await kindOf(again);
+  await again.locator('#kind output').filter({ hasText: label }).waitFor();
+  // Sorted by wires: the first row has the most.
+  await again.locator('table.sortable thead button').nth(3).click();
+  const counts = (await again.locator('table.sortable tbody tr td:nth-child(4)').allInnerTexts()).map(Number);
+  assert.deepEqual(counts, [...counts].sort((a, b) => b - a));
+  await again.close();
+});
+
+test('coarse and fine: five further plans, one click each to compare', async ({ own, visit }) => {
+  const service = await own();
+  const document = { kind: 'contour', name: 'one', reference: 'trade-1', spec: JSON.parse(JSON.stringify(example('parts/fine_sheet.json').spec)) };
+  document.spec.contour = { points: [[0, 0], [30, 0], [30, 20], [10, 30], [0, 0]], closed: false, feed: 300 };
+  document.spec.planning = { method: 'time_optimal', corner: { mode: 'blend', tolerance: 0.05 } };
+  const { id } = await service.planned(document);
+  const page = await visit(`/jobs/${id}`, { service });
+  await kindOf(page);
+  await page.page.getByRole('button', { name: 'Plan five settings' }).click();
+  await page.locator('#kind [role=status]').filter({ hasText: 'All five are done' }).waitFor();
+  const { jobs } = await service.ask('/v1/jobs?reference=trade-1');
+  assert.equal(jobs.length, 6);
+  assert.deepEqual(new Set(jobs.map((each) => each.state)), new Set(['succeeded']));
+  await page.locator('#kind summary', { hasText: 'As a table' }).first().click();
+  assert.equal(await page.locator('#kind a', { hasText: 'Compare' }).count(), 5);
+  await page.close();
+});
+
+test('motion_law: the tables of controllers say how far they are from the law', async ({ service, visit }) => {
+  const { id } = await service.planned('tolerance_boxes.json');
+  const page = await visit(`/jobs/${id}`);
+  await kindOf(page);
+  await page.page.getByRole('button', { name: 'Measure the differences' }).click();
+  await page.page.getByRole('button', { name: 'Measure the differences' }).waitFor({ state: 'detached' });
+  const texts = await page.locator('#kind tr:has(a[href*="layout="]) td:last-child').allInnerTexts();
+  assert.equal(texts.length, 9);
+  assert.ok(texts.every((each) => each !== '…'), texts.join('; '));
+  await page.close();
+});
