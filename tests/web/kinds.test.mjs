@@ -18,6 +18,18 @@ test('de Boor gives the points of a polynomial, at its ends, too', async () => {
   assert.equal(splineLine(spline, 8).length, 9);
 });
 
+test('a law in Bernstein form has the derivatives of its polynomial, by time', async () => {
+  const { lawLine } = await load('kinds/bernstein.ts');
+  // s = x³ over 90 deg, which take 0.5 s.
+  const pieces = [{ begin: 0, end: 90, bernstein: [0, 0, 0, 1] }], rate = 180;
+  for (const [order, value] of [[0, 1 / 8], [1, (3 / 4) * 2], [2, 3 * 4], [3, 6 * 8]]) {
+    const { x, low } = lawLine(pieces, order, rate, 2);
+    assert.deepEqual(x, [0, 45, 90]);
+    near(low[1], value, 1e-12);
+  }
+  assert.equal(lawLine(pieces, 4, rate, 2).low[1], 0);
+});
+
 test('arcs turn the way they are told to', async () => {
   const { arcAngles, holdOutline } = await load('kinds/outline.ts');
   const { nothing } = await load('kinds/plane.ts');

@@ -120,11 +120,19 @@ ordered_json order_of_source(const LawPlan& plan) {
 }
 
 ordered_json compared_law(const LawPlan& plan) {
-  const cam::LawValue value = cam::evaluate_objective(plan.problem, *plan.classical);
+  const CamLaw& law = *plan.classical;
+  const cam::LawValue value = cam::evaluate_objective(plan.problem, law);
+  const double scale = plan.problem.length / plan.solution.cycle_duration;
+  ordered_json pieces = ordered_json::array();
+  for (std::size_t i = 0; i < law.pieces(); ++i)
+    pieces.push_back({{"begin", law.breaks()[i] * scale},
+                      {"end", law.breaks()[i + 1] * scale},
+                      {"bernstein", law.piece(i).bernstein}});
   return {{"objective", value.objective},
           {"peak_velocity", value.peaks[1].value},
           {"peak_acceleration", value.peaks[2].value},
-          {"peak_jerk", value.peaks[3].value}};
+          {"peak_jerk", value.peaks[3].value},
+          {"pieces", std::move(pieces)}};
 }
 
 ordered_json spectrum(const LawPlan& plan) {

@@ -3,6 +3,7 @@ import { at, getJson } from "../base/api";
 import { append, h } from "../base/dom";
 import { fixed, number, percent } from "../base/numbers";
 import type { PlannedJob } from "../base/planned_job";
+import { type Piece, lawLine } from "./bernstein";
 import { type BSpline, splineLine, splinePoint } from "./bspline";
 import { type Box, Chart, type ChartOptions } from "./chart";
 import { Plane, hold, nothing } from "./plane";
@@ -66,7 +67,7 @@ interface Result {
     master: { unit: string; begin: number; length: number };
     angles: number[];
     sections: Section[];
-    classical?: { objective: number; peak_velocity: number; peak_acceleration: number; peak_jerk: number };
+    classical?: { objective: number; peak_velocity: number; peak_acceleration: number; peak_jerk: number; pieces?: Piece[] };
     active_set?: { objective: number; degree: number } | null;
     spectrum?: { frequency: number[]; law: number[]; classical: number[] };
     cam?: Cam;
@@ -126,16 +127,24 @@ export async function mountMotionLaw(section: HTMLElement, id: string, job: Plan
     const step = master.length / Math.max(1, job.rows - 1);
     const data = await envelope(id, columns, 1200), x = data.rows.map((row) => master.begin + row * step);
     const shared = followed(job, master.begin, step), { drive } = spec.spec;
+    const beside = details.classical?.pieces, shown = h("input", { type: "checkbox", checked: true });
+    const perPiece = beside ? Math.max(4, Math.min(40, Math.ceil(1200 / beside.length))) : 0;
+    const classical = beside ? orders.map((_, k) => ({ name: t("law_classical"), colour: "--rapid", dashed: true, ...lawLine(beside, k, master.length / summary.cycle_duration, perPiece) })) : [];
     const charts = orders.map((order, k) => {
       const curve = curveOf(data, columns[k]!, x, t(order), "--c0"), limit = k > 0 ? drive?.[order as "velocity"] : undefined;
       return new Chart({
-        label: t("law_chart", { order: t(order) }), height: k === 0 ? 220 : 150, xName: k === 0 ? over : "", yName: `${t(order)}, ${units[k]}`, unit: units[k]!, angle, curves: curve ? [curve] : [],
+        label: t("law_chart", { order: t(order) }), height: k === 0 ? 220 : 150, xName: k === 0 ? over : "", yName: `${t(order)}, ${units[k]}`, unit: units[k]!, angle, curves: [...classical.slice(k, k + 1), ...(curve ? [curve] : [])],
         ...asked(spec.spec.points, details.angles, end, order), rules: limit ? [{ value: limit, colour: "--c6" }, { value: -limit, colour: "--c6" }] : [], ...shared,
       });
     });
+    shown.addEventListener("change", () => charts.forEach((each, k) => {
+      each.options.curves = each.options.curves.filter((curve) => curve !== classical[k]);
+      if (shown.checked) each.options.curves.unshift(classical[k]!);
+      each.redraw();
+    }));
     const limits = spec.spec.points.some((point) => typeof point.section === "object" && point.section) || drive !== undefined;
     section.append(panel(t("law_curves"), legend({ colour: "--c0", name: t("law_this") }, { colour: "--c1", name: t("law_value"), kind: "dot" },
-      { colour: "--c1", name: t("law_range"), kind: "box" }, limits && { colour: "--c6", name: t("law_limit") }), ...charts.map((each) => each.element)));
+      { colour: "--c1", name: t("law_range"), kind: "box" }, limits && { colour: "--c6", name: t("law_limit") }, classical.length > 0 && { colour: "--rapid", name: t("law_classical"), kind: "dashed" }), classical.length > 0 ? h("label", { class: "field" }, shown, t("law_show_classical")) : null, ...charts.map((each) => each.element)));
     follow(job, charts);
     for (const each of charts) each.redraw();
   }
