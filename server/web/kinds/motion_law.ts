@@ -110,6 +110,9 @@ const lawNames: Record<string, TextKey> = {
   polynomial_345: "law_polynomial_345", polynomial_4567: "law_polynomial_4567", modified_sine: "law_modified_sine", modified_trapezoid: "law_modified_trapezoid",
   inclined_sine: "law_inclined_sine", simple_harmonic: "law_simple_harmonic", quadratic: "law_quadratic", straight: "law_straight",
   gutman_1: "law_gutman_1", gutman_2: "law_gutman_2", gutman_3: "law_gutman_3",
+  double_harmonic_from_dwell: "law_double_harmonic_from_dwell", double_harmonic_to_dwell: "law_double_harmonic_to_dwell", harmonic_combination_from_dwell: "law_harmonic_combination_from_dwell",
+  harmonic_combination_to_dwell: "law_harmonic_combination_to_dwell", polynomial_3456_from_dwell: "law_polynomial_3456_from_dwell", polynomial_3456_to_dwell: "law_polynomial_3456_to_dwell",
+  sine_straight_combination: "law_sine_straight_combination",
 };
 const nameOfLaw = (law: string | null): string => (law === null ? t("law_spline") : law in lawNames ? t(lawNames[law]!) : law.replace(/_/g, " "));
 

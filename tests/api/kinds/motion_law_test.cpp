@@ -116,6 +116,29 @@ TEST(MotionLaw, CoefficientsOfAClassicalSectionAreInTheResult) {
   EXPECT_TRUE(sections[1]["cv"].is_null());  // a dwell has no stroke
 }
 
+TEST(MotionLaw, PiecesOfTheComparedLawGoThroughTheWholeCycleAndHaveItsPeakVelocity) {
+  const json result = planned(example("tolerance_boxes")).result;
+  const json& classical = result["details"]["classical"];
+  const json& pieces = classical["pieces"];
+  EXPECT_NEAR(pieces.front()["begin"].get<double>(), 0, 1e-12);
+  EXPECT_NEAR(pieces.back()["end"].get<double>(), 360, 1e-9);
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    EXPECT_EQ(pieces[i]["end"], pieces[i + 1]["begin"]);
+    EXPECT_NEAR(pieces[i]["bernstein"].back().get<double>(), pieces[i + 1]["bernstein"].front().get<double>(), 1e-9);
+  }
+  // The control polygon of the velocity holds its peak.
+  double most = 0;
+  for (const json& piece : pieces) {
+    const std::vector<double> b = piece["bernstein"];
+    const double seconds = (piece["end"].get<double>() - piece["begin"].get<double>()) / 360 *
+                           result["summary"]["cycle_duration"].get<double>();
+    for (std::size_t k = 0; k + 1 < b.size(); ++k)
+      most = std::max(most, static_cast<double>(b.size() - 1) * std::abs(b[k + 1] - b[k]) / seconds);
+  }
+  EXPECT_GE(most, classical["peak_velocity"].get<double>() * (1 - 1e-9));
+  EXPECT_LE(most, classical["peak_velocity"].get<double>() * 1.5);
+}
+
 TEST(MotionLaw, ClassicalSectionsBesideOptimalOnesAreInTheResult) {
   const json result = planned(example("classical_optimal")).result;
   const json& sections = result["details"]["sections"];
