@@ -1,0 +1,83 @@
+/** Bodies of a scene as objects of three. */
+import {
+  BufferAttribute, BufferGeometry, Color, CylinderBufferGeometry, DoubleSide, EdgesGeometry, ExtrudeBufferGeometry, Group, LineBasicMaterial, LineSegments, Material,
+  Matrix4, Mesh, MeshLambertMaterial, Object3D, Path, Points, PointsMaterial, Shape, SphereBufferGeometry, Vector2, Vector3,
+} from "three";
+import type { Body, Point } from "./scene";
+
+export interface BodyColours {
+  solid: string;
+  edge: string;
+  moving: string;
+}
+
+const vector = (p: Point): Vector3 => new Vector3(...p);
+
+function frameOf(body: Body): Object3D {
+  const group = new Group(), frame = body.frame;
+  if (frame) {
+    group.matrixAutoUpdate = false;
+    group.matrix = new Matrix4().makeBasis(vector(frame.x), vector(frame.y), vector(frame.z)).setPosition(...frame.origin);
+  }
+  return group;
+}
+
+function solid(geometry: BufferGeometry, material: Material, edges: Material | null): Object3D {
+  const group = new Group();
+  group.add(new Mesh(geometry, material));
+  if (edges) group.add(new LineSegments(new EdgesGeometry(geometry, 30), edges));
+  return group;
+}
+
+/** A cylinder about the line from a to b, with round ends where asked for. */
+function rod(a: Point, b: Point, radius: number, round: "none" | "end" | "both", material: Material, radial: number): Object3D {
+  const group = new Group(), along = [0, 1, 2].map((k) => b[k]! - a[k]!), length = Math.hypot(...along);
+  if (length > 0) {
+    const mesh = new Mesh(new CylinderBufferGeometry(radius, radius, length, radial, 1, round === "both"), material);
+    mesh.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(along[0]! / length, along[1]! / length, along[2]! / length));
+    mesh.position.set((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2);
+    group.add(mesh);
+  }
+  const ends = round === "both" ? [a, b] : round === "end" ? [b] : [];
+  for (const end of ends) {
+    const ball = new Mesh(new SphereBufferGeometry(radius, radial, Math.ceil(radial / 2)), material);
+    ball.position.set(...end);
+    group.add(ball);
+  }
+  return group;
+}
+
+export function polylineGeometry(points: readonly Point[]): BufferGeometry {
+  const ends = new Float32Array(Math.max(0, points.length - 1) * 6);
+  for (let i = 1; i < points.length; ++i) ends.set([...points[i - 1]!, ...points[i]!], 6 * (i - 1));
+  return new BufferGeometry().setAttribute("position", new BufferAttribute(ends, 3));
+}
+
+/** Returns a body other than a wire as an object. Bodies through which the path leads are translucent. */
+export function bodyObject(body: Body, colours: BodyColours): Object3D {
+  const moves = body.moves !== "none", frame = frameOf(body);
+  const translucent = !moves;
+  const surface = (opacity: number): Material =>
+    new MeshLambertMaterial({
+      color: new Color(moves ? colours.moving : colours.solid), transparent: translucent, opacity: translucent ? opacity : 1, depthWrite: !translucent, side: DoubleSide,
+    });
+  const edge = (opacity: number): Material => new LineBasicMaterial({ color: new Color(colours.edge), transparent: true, opacity });
+  const points = body.points ?? [], radius = body.radius ?? 0;
+  if (body.kind === "extrusion" && body.outline) {
+    const plane = (list: [number, number][]): Vector2[] => list.map(([x, y]) => new Vector2(x, y));
+    const shape = new Shape(plane(body.outline));
+    shape.holes = (body.holes ?? []).map((hole) => new Path().setFromPoints(plane(hole)));
+    const from = body.from ?? 0, geometry = new ExtrudeBufferGeometry(shape, { depth: (body.to ?? from) - from, bevelEnabled: false });
+    frame.add(solid(geometry.translate(0, 0, from), surface(0.16), edge(0.45)));
+  } else if (body.kind === "cylinder" && points.length > 1) {
+    frame.add(rod(points[0]!, points[points.length - 1]!, radius, body.round_end ? "end" : "none", surface(0.3), 20));
+  } else if (body.kind === "tube") {
+    for (let i = 1; i < points.length; ++i) frame.add(rod(points[i - 1]!, points[i]!, radius, "both", surface(0.12), 14));
+  } else if (body.kind === "points") {
+    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(points.flat()), 3));
+    frame.add(new Points(geometry, new PointsMaterial({ color: new Color(colours.moving), size: 7, sizeAttenuation: false })));
+  } else if (points.length > 1) {
+    frame.add(new LineSegments(polylineGeometry(points), edge(0.9)));
+  }
+  return frame;
+}

@@ -1,0 +1,20 @@
+/** What a picture in space offers; space.js makes one. */
+import type { Colouring } from "./colours";
+import type { Shown } from "./drawing";
+import type { PathData } from "./path_data";
+import type { Scheme } from "./palette";
+import type { Size, SpaceView } from "./projection";
+import type { Scene } from "./scene";
+
+export interface SpaceCanvas {
+  readonly element: HTMLCanvasElement;
+  resize(size: Size, density: number): void;
+  setPath(path: PathData, colours: Colouring, shown: Shown, scheme: Scheme): void;
+  setScene(scene: Scene): void;
+  setBodiesShown(shown: boolean): void;
+  /** Places what moves with the tool: mm, deg. Wires and the path after the time or row are left out if `laid` is true. */
+  setTool(values: { place: [number, number, number]; phi: number; psi: number; row: number; time: number } | null, laid: boolean): void;
+  /** Draws; lines are thin while it moves. Returns the number of segments. */
+  show(view: SpaceView, moving: boolean): number;
+  dispose(): void;
+}
