@@ -68,3 +68,14 @@ export function placeAt(path: PathData, row: number): [number, number, number] |
   const u = (row - path.rows[i]!) / (path.rows[j]! - path.rows[i]!);
   return [path.x[i]! + u * (path.x[j]! - path.x[i]!), path.y[i]! + u * (path.y[j]! - path.y[i]!), path.z[i]! + u * (path.z[j]! - path.z[i]!)];
 }
+
+/** Returns how many of ascending rows or times are at most `value`. */
+export function endedBy(last: ArrayLike<number>, value: number): number {
+  let low = 0, high = last.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (last[middle]! <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

@@ -79,8 +79,9 @@ export class Program {
         const before = [...this.anchors].reverse().find((a) => a.start <= time + 1e-9) ?? { index: 0, start: 0 };
         const after = this.anchors.find((a) => a.start > time + 1e-9) ?? { index: this.total, start: this.rows * this.cycle };
         const share = after.start > before.start ? (time - before.start) / (after.start - before.start) : 0;
-        const index = Number.isFinite(after.index) ? Math.floor(before.index + share * (after.index - before.index)) : 0;
-        // Near a segment that is known the guess is good, and half a window to each side is enough.
+        // Where even spacing is a bad guess, halves find it.
+        const guess = steps < 6 ? share : 0.5;
+        const index = Number.isFinite(after.index) ? Math.floor(before.index + guess * (after.index - before.index)) : 0;
         const first = Math.max(0, Math.min(index - windowSegments / 2, this.total - windowSegments));
         this.take(await this.fetch(Math.max(0, first), windowSegments, abort.signal));
         if (this.wanted === row && this.find(row) >= 0) this.wanted = null;

@@ -3,23 +3,13 @@ import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineS
 import { LineMaterial } from "three-lines/LineMaterial.js";
 import { LineSegments2 } from "three-lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three-lines/LineSegmentsGeometry.js";
+import { endedBy } from "./path_data";
 import type { Size } from "./projection";
 
 export interface Chords {
   ends: Float32Array; // x, y, z of both ends, mm
   colours: Float32Array; // red, green, blue of both ends, 0 … 1
   last: ArrayLike<number>; // ascending: row or time at which a chord ends
-}
-
-/** Returns how many chords end at a row or time, or before it. */
-export function endedBy(last: ArrayLike<number>, value: number): number {
-  let low = 0, high = last.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (last[middle]! <= value) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }
 
 export class SpaceLines {
