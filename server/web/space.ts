@@ -10,7 +10,7 @@ import { bodyObject } from "./path/space_bodies";
 import type { SpaceCanvas } from "./path/space_canvas";
 import { paint, SpaceLines } from "./path/space_lines";
 
-const pathWidth = 2, leastWireWidth = 1.5; // CSS pixels
+const cutWidth = 2, rapidWidth = 1, leastWireWidth = 1.5; // CSS pixels
 
 type ToolPlace = Parameters<SpaceCanvas["setTool"]>[0];
 
@@ -22,9 +22,10 @@ class ThreeCanvas implements SpaceCanvas {
   private readonly still = new Group();
   private readonly tool = new Group();
   private size: Size = { width: 1, height: 1 };
-  private path: SpaceLines | null = null;
+  private path: SpaceLines[] = []; // rapids, then cuts
   private wires: { lines: SpaceLines; radius: number }[] = [];
   private bodies: Bodies | null = null;
+  private drawn: ({ path: PathData; colours: Colouring } & Shown) | null = null;
   private drawnFor: Scheme | null = null;
   private bodiesShown = true;
   private place: ToolPlace = null;
@@ -39,31 +40,34 @@ class ThreeCanvas implements SpaceCanvas {
     this.size = size;
     this.renderer.setPixelRatio(density);
     this.renderer.setSize(size.width, size.height, false);
-    this.path?.resize(size);
+    for (const lines of this.path) lines.resize(size);
     for (const { lines } of this.wires) lines.resize(size);
   }
   setPath(path: PathData, colours: Colouring, shown: Shown, scheme: Scheme): void {
-    let count = 0;
-    for (let i = 1; i < path.count; ++i) if (isShown(path, i, shown)) ++count;
-    const ends = new Float32Array(6 * count), painted = new Float32Array(6 * count), last = new Uint32Array(count);
+    const drawn = { path, colours, ...shown }, before = this.drawn;
+    if (before && (Object.keys(drawn) as (keyof typeof drawn)[]).every((key) => before[key] === drawn[key])) return;
+    this.drawn = drawn;
     const paints = colours.colours.map((colour) => new Color(colour)), faint = new Color(scheme.faint);
-    for (let i = 1, k = 0; i < path.count; ++i) {
-      if (!isShown(path, i, shown)) continue;
-      ends.set([path.x[i - 1]!, path.y[i - 1]!, path.z[i - 1]!, path.x[i]!, path.y[i]!, path.z[i]!], 6 * k);
-      paint(painted, k, isEmphasised(path, i, shown) ? paints[colours.kind[i]!]! : faint);
-      last[k++] = path.rows[i]!;
+    for (const lines of this.path) {
+      this.scene.remove(lines.group);
+      lines.dispose();
     }
-    if (this.path) {
-      this.scene.remove(this.path.group);
-      this.path.dispose();
-    }
-    this.path = new SpaceLines({ ends, colours: painted, last }, this.size, pathWidth);
-    this.scene.add(this.path.group);
+    this.path = [true, false].map((rapid) => {
+      const chords: number[] = [];
+      for (let i = 1; i < path.count; ++i) if (isShown(path, i, shown) && (colours.kind[i] === 0) === rapid) chords.push(i);
+      const ends = new Float32Array(6 * chords.length), painted = new Float32Array(6 * chords.length);
+      chords.forEach((i, k) => {
+        ends.set([path.x[i - 1]!, path.y[i - 1]!, path.z[i - 1]!, path.x[i]!, path.y[i]!, path.z[i]!], 6 * k);
+        paint(painted, k, isEmphasised(path, i, shown) ? paints[colours.kind[i]!]! : faint);
+      });
+      const lines = new SpaceLines({ ends, colours: painted, last: chords.map((i) => path.rows[i]!) }, this.size, rapid ? rapidWidth : cutWidth);
+      this.scene.add(lines.group);
+      return lines;
+    });
     if (this.drawnFor !== scheme) {
       this.drawnFor = scheme;
       this.build();
     }
-    this.setTool(this.place, this.laid);
   }
   setScene(bodies: Bodies): void {
     this.bodies = bodies;
@@ -72,7 +76,8 @@ class ThreeCanvas implements SpaceCanvas {
   setBodiesShown(shown: boolean): void {
     this.bodiesShown = shown;
   }
-  setTool(place: ToolPlace, laid: boolean): void {
+  setTool(place: ToolPlace, laid: boolean): boolean {
+    const changes = laid || this.laid || this.wires.length > 0 || this.tool.children.length > 0;
     this.place = place;
     this.laid = laid;
     if (place) {
@@ -80,6 +85,7 @@ class ThreeCanvas implements SpaceCanvas {
       const rad = Math.PI / 180;
       if (Number.isFinite(place.phi)) this.tool.rotation.set(0, place.psi * rad, place.phi * rad, "ZYX");
     }
+    return changes;
   }
   show(view: SpaceView, moving: boolean): number {
     const { width, height } = this.size, { up, eye } = view.axes(), far = 1e5, [x, y, z] = view.target, { camera } = this;
@@ -99,9 +105,9 @@ class ThreeCanvas implements SpaceCanvas {
     // A needle whose direction is not known yet is not drawn.
     this.tool.visible = this.bodiesShown && this.place !== null && (Number.isFinite(this.place.phi) || !this.turns());
     let count = 0;
-    if (this.path) {
-      this.path.setMoving(moving);
-      count += this.path.showUntil(this.laid && this.place ? this.place.row : Infinity);
+    for (const lines of this.path) {
+      lines.setMoving(moving);
+      count += lines.showUntil(this.laid && this.place ? this.place.row : Infinity);
     }
     for (const { lines, radius } of this.wires) {
       lines.setMoving(moving);

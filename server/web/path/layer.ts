@@ -40,7 +40,7 @@ export function drawScaleBar(pen: CanvasRenderingContext2D, scale: number, size:
 
 /** Draws the directions of the axes in the upper left corner. */
 export function drawAxes(pen: CanvasRenderingContext2D, matrix: readonly number[], scale: number, dimension: number, colours: LayerColours): void {
-  const x0 = 34, y0 = 40, long = 24;
+  const x0 = 40, y0 = 46, long = 24;
   pen.font = "12px system-ui, sans-serif";
   pen.textAlign = "center";
   pen.textBaseline = "middle";

@@ -51,6 +51,7 @@ class PathPanel {
   private laid = false;
   private mine = -1; // row that this panel has told the others last
   private rest = 0;
+  private skipped = 0; // looks at the playback without its line
   private address = 0;
 
   constructor(section: HTMLElement, private readonly job: PlannedJob) {
@@ -315,9 +316,11 @@ class PathPanel {
     if (!share) return;
     this.mine = Math.round(row);
     this.job.view.set({ row: this.mine, locked: true });
-    this.program?.at(Math.floor(row));
-    this.list?.show(Math.floor(row), true);
     this.read(row);
+    // A list that is built anew at every look would cost more than the rest of the frame.
+    if (!this.program || (this.program.find(Math.floor(row)) < 0 && ++this.skipped % 4 !== 0)) return;
+    this.program.at(Math.floor(row));
+    this.list!.show(Math.floor(row), true);
   }
   /** Shows the cursor that the panels share. */
   private follow(): void {
@@ -375,8 +378,8 @@ class PathPanel {
     if (!this.canvas) return;
     const phi = this.value("phi"), psi = this.value("psi");
     const turned = phi !== undefined && Number.isFinite(phi);
-    this.canvas.setTool(place && row !== null ? { place, phi: turned ? phi : NaN, psi: turned ? psi! : NaN, row, time: row * this.job.cycle } : null, this.laid);
-    this.picture.showSpace();
+    const changes = this.canvas.setTool(place && row !== null ? { place, phi: turned ? phi : NaN, psi: turned ? psi! : NaN, row, time: row * this.job.cycle } : null, this.laid);
+    if (changes) this.picture.showSpace();
   }
   private read(row: number | null): void {
     const { path } = this.picture;

@@ -92,9 +92,15 @@ export class Picture {
       "aria-label",
       t("picture", { n: path.count, x: number(this.extents.high[0] - this.extents.low[0], 4), y: number(this.extents.high[1] - this.extents.low[1], 4) }),
     );
+    this.adaptHeight();
     if (!this.fitted && this.size.width > 0) this.fit();
     this.recolour();
     return path;
+  }
+  /** Makes the picture lower where the path is wide: on a phone an empty frame would hide what follows. */
+  private adaptHeight(): void {
+    const { low, high } = this.extents, wide = Math.max(high[0] - low[0], 1e-9), tall = high[1] - low[1];
+    this.element.style.aspectRatio = String(Math.max(0.5, Math.min(4, wide / Math.max(tall + (wide * 56) / 600, 1e-9))));
   }
   /** Shows or hides the path of the coarse axes. */
   setCoarse(path: PathData | null): void {
@@ -159,6 +165,8 @@ export class Picture {
   /** Draws the view in space after something in it has moved. */
   showSpace(): void {
     this.three?.show(this.space, true);
+    window.clearTimeout(this.settle);
+    this.settle = window.setTimeout(() => this.redraw(), settleAfter);
   }
   /** Returns whether the plane is shown as fit() does. */
   isFit(): boolean {

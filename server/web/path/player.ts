@@ -47,7 +47,7 @@ export class Player {
     };
     onKey("p", t("key_play"), () => this.toggle());
     this.element = h(
-      "div", { class: "path-player" }, this.play, hasLines && step(-1, "line_before", "⏮", ","), hasLines && step(1, "line_after", "⏭", "."), this.slider,
+      "div", { class: "path-player" }, this.play, hasLines && step(-1, "line_before", "↑", ","), hasLines && step(1, "line_after", "↓", "."), this.slider,
       h("span", { class: "path-pace" }, speed, by),
     );
   }

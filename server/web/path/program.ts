@@ -32,7 +32,7 @@ export interface Visit {
 }
 
 /** Number of segments of a window. */
-export const windowSegments = 200;
+export const windowSegments = 120;
 
 export class Program {
   private anchors: { index: number; start: number }[] = []; // ascending; starts of segments that have been seen
