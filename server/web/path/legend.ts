@@ -8,7 +8,7 @@ import type { Scheme } from "./palette";
 import { t } from "./words";
 
 function swatch(colour: string, text: string): HTMLElement {
-  const mark = h("i", { class: "swatch" });
+  const mark = h("i", { class: "path-swatch" });
   mark.style.backgroundColor = colour;
   return h("span", { class: "entry" }, mark, text);
 }

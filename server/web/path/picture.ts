@@ -44,7 +44,7 @@ export class Picture {
   private scheme: Scheme = readScheme();
   private marks: Mark[] = [];
   private locked = false;
-  private fitted = false;
+  private fitted = true; // all of the path is shown, whatever the size of the picture
   private three: SpaceCanvas | null = null;
   by: ColourBy = "speed";
   shown: Shown;
@@ -93,7 +93,7 @@ export class Picture {
       t("picture", { n: path.count, x: number(this.extents.high[0] - this.extents.low[0], 4), y: number(this.extents.high[1] - this.extents.low[1], 4) }),
     );
     this.adaptHeight();
-    if (!this.fitted && this.size.width > 0) this.fit();
+    if (this.fitted && this.size.width > 0) this.fit();
     this.recolour();
     return path;
   }
@@ -116,14 +116,15 @@ export class Picture {
     if (three) {
       this.element.insertBefore(three.element, this.layer);
       three.resize(this.size, this.density);
-      this.space.fit(this.extents);
     }
+    this.view.fit(this.extents);
+    this.fitted = true;
     this.recolour();
     this.after();
   }
   fit(): void {
-    this.fitted = true;
     this.move(() => this.view.fit(this.extents));
+    this.fitted = true;
     window.clearTimeout(this.settle);
     this.redraw();
   }
@@ -134,7 +135,7 @@ export class Picture {
   /** Shows a part of the plane that an address names. */
   showPlane(x: number, y: number, scale: number): void {
     Object.assign(this.plane, { x, y, scale });
-    this.fitted = true;
+    this.fitted = false;
     this.after();
   }
   setMarks(marks: Mark[], locked: boolean): void {
@@ -168,11 +169,9 @@ export class Picture {
     window.clearTimeout(this.settle);
     this.settle = window.setTimeout(() => this.redraw(), settleAfter);
   }
-  /** Returns whether the plane is shown as fit() does. */
+  /** Returns whether all of the path is shown. */
   isFit(): boolean {
-    const fitting = new PlaneView(this.size);
-    fitting.fit(this.extents);
-    return Math.abs(this.plane.scale / fitting.scale - 1) < 1e-6 && Math.hypot(this.plane.x - fitting.x, this.plane.y - fitting.y) * fitting.scale < 0.5;
+    return this.fitted;
   }
 
   private key(event: KeyboardEvent): boolean {
@@ -188,6 +187,7 @@ export class Picture {
     return true;
   }
   private move(change: () => void): void {
+    this.fitted = false;
     change();
     this.after();
   }
@@ -302,8 +302,8 @@ export class Picture {
     }
     this.three?.resize(this.size, density);
     this.drawnPlane = null;
-    if (this.whole && !this.fitted) this.fit();
-    this.after();
+    if (this.whole && this.fitted) this.fit();
+    else this.after();
     this.draw();
   }
 }
