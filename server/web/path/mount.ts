@@ -243,6 +243,7 @@ class PathPanel {
         getJson<Scene>(`/v1/jobs/${this.job.id}/scene`).then(
           (scene) => {
             canvas.setScene(scene);
+            if (scene.box) this.picture.setBodies({ low: scene.box[0], high: scene.box[1] });
             this.marks(this.row());
             this.picture.redraw();
           },

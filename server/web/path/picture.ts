@@ -9,7 +9,7 @@ import { drawAxes, drawMarks, drawScaleBar, type Mark } from "./layer";
 import { readScheme, type Scheme } from "./palette";
 import { extentsOf, type PathData } from "./path_data";
 import { pick } from "./picking";
-import { at, PlaneView, SpaceView, type Extents, type Size } from "./projection";
+import { at, joined, PlaneView, SpaceView, type Extents, type Size } from "./projection";
 import type { SpaceCanvas } from "./space_canvas";
 import { grown, needsPart, type Box, type Part, type PathSource } from "./source";
 import { t } from "./words";
@@ -37,6 +37,7 @@ export class Picture {
   private fetching = 0;
   private frame = 0;
   private extents: Extents = { low: [0, 0, 0], high: [0, 0, 0] };
+  private bodies: Extents | null = null;
   private whole: PathData | null = null;
   private part: Part | null = null;
   private coarse: PathData | null = null;
@@ -116,14 +117,20 @@ export class Picture {
     if (three) {
       this.element.insertBefore(three.element, this.layer);
       three.resize(this.size, this.density);
+      three.element.setAttribute("aria-label", this.base.getAttribute("aria-label")!);
     }
-    this.view.fit(this.extents);
+    this.fitView();
     this.fitted = true;
     this.recolour();
     this.after();
   }
+  /** Extents of the bodies in space, which are shown with the path. */
+  setBodies(bodies: Extents): void {
+    this.bodies = bodies;
+    if (this.three && this.fitted) this.fit();
+  }
   fit(): void {
-    this.move(() => this.view.fit(this.extents));
+    this.move(() => this.fitView());
     this.fitted = true;
     window.clearTimeout(this.settle);
     this.redraw();
@@ -174,6 +181,10 @@ export class Picture {
     return this.fitted;
   }
 
+  private fitView(): void {
+    if (this.three) this.space.fit(this.bodies ? joined(this.extents, this.bodies) : this.extents);
+    else this.plane.fit(this.extents);
+  }
   private key(event: KeyboardEvent): boolean {
     const step = 48, arrows: Record<string, [number, number]> = { ArrowLeft: [step, 0], ArrowRight: [-step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
     const arrow = arrows[event.key];
@@ -210,11 +221,15 @@ export class Picture {
     this.touchAction();
     this.events.moved();
   }
+  /** The scale at which all of the path is shown. */
+  private fitScale(): number {
+    const fitting = this.three ? new SpaceView(this.size, [0, 0, 0], 1, this.space.turn, this.space.tilt) : new PlaneView(this.size);
+    fitting.fit(this.extents);
+    return fitting.scale;
+  }
   /** One finger scrolls the page while all of the path is shown, and moves the picture when a part of it is looked at. */
   private touchAction(): void {
-    const fitting = new PlaneView(this.size);
-    fitting.fit(this.extents);
-    this.element.style.touchAction = this.three || this.plane.scale > fitting.scale * 1.05 ? "none" : "pan-y";
+    this.element.style.touchAction = this.three || this.plane.scale > this.fitScale() * 1.05 ? "none" : "pan-y";
   }
   private visible(): Box {
     return this.three ? this.space.box(this.extents) : this.plane.box();
@@ -222,7 +237,7 @@ export class Picture {
   private async refine(): Promise<void> {
     const whole = this.whole, box = this.visible(), scale = this.view.scale;
     if (!whole) return;
-    if (!needsPart(whole, this.part, box, scale)) return this.source.stop();
+    if (scale < 1.3 * this.fitScale() || !needsPart(whole, this.part, box, scale)) return this.source.stop();
     try {
       const part = await this.source.part(grown(box, 0.15), scale, this.by);
       if (!part || this.whole !== whole) return;
@@ -235,7 +250,7 @@ export class Picture {
   /** The vertices that are drawn: those of the part where it has all that is seen. */
   private current(): PathData | null {
     const { whole, part } = this;
-    if (!whole || !part || whole.tolerance * this.view.scale <= 0.5) return whole;
+    if (!whole || !part || whole.tolerance * this.view.scale <= 0.5 || part.path.tolerance >= whole.tolerance) return whole;
     const [x0, y0, x1, y1] = this.visible(), box = part.box, slack = 0.02 * Math.max(x1 - x0, y1 - y0);
     const inside = box[0] <= x0 + slack && box[1] <= y0 + slack && box[2] >= x1 - slack && box[3] >= y1 - slack;
     return inside ? part.path : whole;

@@ -11,6 +11,12 @@ export interface Extents {
   high: [number, number, number];
 }
 
+/** Returns the extents of two bodies together. */
+export const joined = (a: Extents, b: Extents): Extents => ({
+  low: a.low.map((v, k) => Math.min(v, b.low[k]!)) as Extents["low"],
+  high: a.high.map((v, k) => Math.max(v, b.high[k]!)) as Extents["high"],
+});
+
 export interface Projection {
   /** CSS pixels per mm. */
   readonly scale: number;
