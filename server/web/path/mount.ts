@@ -56,18 +56,17 @@ class PathPanel {
 
   constructor(section: HTMLElement, private readonly job: PlannedJob) {
     const lines = job.kind === "contour", state = readAddress();
-    this.picture = new Picture(new PathSource(job.id, job.kind === "winding" ? "part" : "tool", lines), job.rows, {
+    this.picture = new Picture(new PathSource(job.id, "tool", lines), job.rows, {
       hover: (row) => !this.player.clock.playing && job.view.point(row),
       pick: (row) => this.picked(row),
       moved: () => this.remember(),
       failed: (error) => this.fail(error),
     });
-    const from = job.kind === "winding" ? "&frame=part" : "";
     this.moving = ["x", "y", "z", "xc", "yc", "zc", "phi", "psi", "v"].filter((name) => job.columns.includes(name));
     this.values = new Float64Array(this.moving.length);
     this.slices = new Slices(job.rows, async (first, every, count, signal): Promise<Slice> => {
       const response = await ask(
-        `/v1/jobs/${job.id}/setpoints?first=${first}&every=${every}&count=${count}&columns=${this.moving.join(",")}&format=f32${from}`,
+        `/v1/jobs/${job.id}/setpoints?first=${first}&every=${every}&count=${count}&columns=${this.moving.join(",")}&format=f32`,
         { headers: { Accept: "application/octet-stream" }, signal },
       );
       const values = new Float32Array(await response.arrayBuffer()), names = (response.headers.get("X-Columns") ?? "").split(",");

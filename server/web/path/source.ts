@@ -31,7 +31,7 @@ export function needsPart(whole: PathData, part: Part | null, visible: Box, scal
 
 export class PathSource {
   private running: AbortController | null = null;
-  /** `of`: tool, coarse or part; `hasLines`: whether the job has blocks of a program or document. */
+  /** `of`: tool or coarse; of a winding the tool's path is that in the frame of its part; `hasLines`: whether the job has blocks of a program or document. */
   constructor(private readonly id: string, readonly of: string, private readonly hasLines: boolean) {}
 
   private columns(by: ColourBy): string {
