@@ -186,6 +186,16 @@ class PathPanel {
       },
     });
     append(this.stage, h("label", {}, box, " ", t("coarse")));
+    // The window of the fine axes about the coarse ones: the curves ask for the limits, too.
+    this.job.limits().then(
+      ({ limits }) => {
+        const stroke = (axis: string): number => limits.find((limit) => limit.column === `${axis}f` && limit.name.startsWith("stroke"))?.value ?? 0;
+        this.picture.stroke = [stroke("x"), stroke("y")];
+      },
+      () => {
+        // The marks are drawn without it.
+      },
+    );
   }
   private addSpace(now: boolean): void {
     const radio = (value: "plane" | "space", text: string): HTMLElement => {

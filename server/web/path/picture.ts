@@ -296,7 +296,7 @@ export class Picture {
     pen.clearRect(0, 0, this.size.width, this.size.height);
     drawScaleBar(pen, this.view.scale, this.size, this.scheme);
     drawAxes(pen, this.view.matrix(), this.view.scale, this.three ? 3 : 2, this.scheme);
-    drawMarks(pen, this.view, this.marks, this.scheme, this.locked, this.stroke);
+    drawMarks(pen, this.view, this.marks, this.scheme, this.locked, this.three ? null : this.stroke);
   }
   private rowAt(sx: number, sy: number, reach: number): number | null {
     const path = this.current();
