@@ -60,6 +60,7 @@ class PathPanel {
       hover: (row) => !this.player.clock.playing && job.view.point(row),
       pick: (row) => this.picked(row),
       moved: () => this.remember(),
+      recoloured: () => this.showLegend(),
       failed: (error) => this.fail(error),
     });
     this.moving = ["x", "y", "z", "xc", "yc", "zc", "phi", "psi", "v"].filter((name) => job.columns.includes(name));
@@ -75,8 +76,7 @@ class PathPanel {
     this.program = lines
       ? new Program(job.rows, job.cycle, (first, count, signal) => getJson<Page>(`/v1/jobs/${job.id}/blocks?by=segment&sort=start&first=${first}&count=${count}`, signal))
       : null;
-    const isProgram = document.getElementById("job")?.dataset.program !== "0";
-    this.list = this.program && new ProgramList(this.program, isProgram, (row) => this.go(row));
+    this.list = this.program && new ProgramList(this.program, (row) => this.go(row), (by) => this.step(by));
     if (this.program)
       this.program.changed = () => {
         const row = this.row();
@@ -405,8 +405,8 @@ class PathPanel {
     const v = exact ? this.value("v") : path.columns.v?.[i];
     if (v !== undefined) parts.push(`v ${number(v, 4)} mm/s`);
     const visit = this.program && this.program.find(whole);
-    const line = visit !== null && visit >= 0 ? this.program!.visits[visit]!.number : path.columns.line?.[i];
-    if (line !== undefined) parts.push(t("line", { n: line }));
+    const { number: line, text } = visit !== null && visit >= 0 ? this.program!.visits[visit]! : { number: path.columns.line?.[i], text: this.program?.visits[0]?.text };
+    if (line !== undefined) parts.push(t(text === null ? "segment" : "line", { n: line }));
     parts.push(t("of_rows", { row: whole, rows: this.job.rows }));
     this.readout.textContent = parts.join(" · ");
   }

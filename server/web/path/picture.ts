@@ -21,6 +21,8 @@ export interface PictureEvents {
   pick(row: number | null): void;
   /** The part that is looked at has changed. */
   moved(): void;
+  /** The scheme of colours has changed. */
+  recoloured(): void;
   failed(error: unknown): void;
 }
 
@@ -68,7 +70,10 @@ export class Picture {
       key: (event) => this.key(event),
     });
     new ResizeObserver(() => this.resize()).observe(this.element);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.recolour());
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      this.recolour();
+      this.events.recoloured();
+    });
   }
   private get view(): PlaneView | SpaceView {
     return this.three ? this.space : this.plane;
@@ -95,6 +100,7 @@ export class Picture {
     );
     this.adaptHeight();
     if (this.fitted && this.size.width > 0) this.fit();
+    else this.after();
     this.recolour();
     return path;
   }

@@ -7,18 +7,24 @@ import { t } from "./words";
 export class ProgramList {
   readonly element: HTMLElement;
   private readonly list = h("ol", { class: "path-lines", tabindex: 0 });
+  private readonly title = h("h3");
   private rows: HTMLElement[] = [];
   private shownVisits: unknown = null;
   private current = -1;
-  constructor(private readonly program: Program, isProgram: boolean, private readonly seek: (row: number) => void) {
-    const title = t(isProgram ? "program" : "segments");
-    this.list.setAttribute("aria-label", title);
-    this.element = h("aside", { class: "path-program", "aria-label": title }, h("h3", {}, title), this.list);
+  constructor(private readonly program: Program, private readonly seek: (row: number) => void, step: (lines: 1 | -1) => void) {
+    this.element = h("aside", { class: "path-program" }, this.title, this.list);
+    this.name(t("program"));
     // One listener for all lines.
     this.list.addEventListener("click", (event) => {
       const index = this.rows.indexOf((event.target as Element).closest("li") as HTMLElement);
       const visit = this.program.visits[index];
       if (visit) this.seek(visit.first);
+    });
+    this.list.addEventListener("keydown", (event) => {
+      if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
+      event.preventDefault();
+      event.stopPropagation();
+      step(event.key === "ArrowUp" ? -1 : 1);
     });
   }
   /** Shows the lines around a row, and which of them it belongs to. `scroll`: the list follows. */
@@ -34,7 +40,15 @@ export class ProgramList {
     // scrollIntoView would move the page, too.
     if (scroll) this.list.scrollTop = line.offsetTop - this.list.offsetTop - this.list.clientHeight / 2 + line.offsetHeight / 2;
   }
+  private name(title: string): void {
+    this.title.textContent = title;
+    this.list.setAttribute("aria-label", title);
+    this.element.setAttribute("aria-label", title);
+  }
   private build(): void {
+    // Without a program its entries are segments of the document.
+    const first = this.program.visits[0];
+    if (first) this.name(t(first.text === null ? "segments" : "program"));
     this.shownVisits = this.program.visits;
     this.current = -1;
     this.rows = this.program.visits.map((visit) =>
