@@ -254,6 +254,7 @@ function startList(): void {
   onKey("n", t("new_key"), () => (location.href = at("/new")));
 
   readFilter();
+  showBulk();
 }
 
 startPage();
