@@ -89,7 +89,14 @@ class Drawing {
 
 /// Returns the address of the field at a pointer into the job's document, on the page that posts it again with changes.
 std::string field_link(const api::Job& job, const std::string& pointer) {
-  return "/new?from=" + job.id + "#" + encode_component(pointer);
+  std::string fragment;
+  for (std::size_t at = 0; at < pointer.size();) {
+    const std::size_t slash = std::min(pointer.find('/', at), pointer.size());
+    fragment +=
+        encode_component(std::string_view(pointer).substr(at, slash - at)) + (slash < pointer.size() ? "/" : "");
+    at = slash + 1;
+  }
+  return "/new?from=" + job.id + "#" + fragment;
 }
 
 /// Returns why a job has no plan, and what to change. Titles and advice are in both languages, what the planner found
