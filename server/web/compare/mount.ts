@@ -232,7 +232,11 @@ async function curvesPanel(box: HTMLElement, a: Side, b: Side, left: Setpoints, 
       point(x);
       keep();
     } };
-    const pair = (column: string): Curve[] => motions.map((each, k) => curveOf(each.data, column, xOf(each), "AB"[k]!, k === 0 ? "--c0" : "--c1")).filter((each) => each !== null);
+    const pair = (column: string): Curve[] => motions.flatMap((each, k) => {
+      const curve = curveOf(each.data, column, xOf(each), "AB"[k]!, k === 0 ? "--c0" : "--c1");
+      // A is wider, so that it is seen below B where both are the same.
+      return curve ? [{ ...curve, width: k === 0 ? 3.4 : 1.4 }] : [];
+    });
     if (gains && over === "path")
       charts.push(new Chart({ label: t("gain_chart"), height: 170, xName: xName(), yName: t("gain_axis"), unit: "s", curves: [{ name: "Δt", colour: "--c2", x: gains.share.map((each) => each * scale()), low: gains.delta }], zero: true, ...shared }));
     [...new Set(wanted)].forEach((column, k) => charts.push(new Chart({ label: t("column_chart", { column }), height: 190, xName: k === 0 && over === "time" ? xName() : "", yName: `${column}, ${unitOfColumn(column)}`, unit: unitOfColumn(column), angle: over === "time" && law?.unit === "deg", curves: pair(column), ...shared })));

@@ -11,6 +11,7 @@ export interface Curve {
   low: ArrayLike<number>;
   high?: ArrayLike<number>;
   dashed?: boolean;
+  width?: number; // px
 }
 
 /** A range of values over a range of the axis; ends may be infinite, and both ends of x the same. */
@@ -177,7 +178,7 @@ export class Chart {
     context.lineWidth = 1;
     context.fillStyle = colour("--soft");
     const xs = (options.angle ? angleTicks : ticks)(f.from, f.to, Math.max(2, Math.floor((f.right - f.left) / 74)));
-    const ys = ticks(f.y.from, f.y.to, Math.max(2, Math.floor((f.bottom - f.top) / 26)));
+    const ys = ticks(f.y.from, f.y.to, Math.max(3, Math.floor((f.bottom - f.top) / 24)));
     context.strokeStyle = colour("--line");
     context.textBaseline = "middle";
     context.textAlign = "right";
@@ -229,7 +230,7 @@ export class Chart {
     const first = Math.max(0, lastAtMost(x, f.from)), last = Math.min(count - 1, lastAtMost(x, f.to) + 1);
     const intervals = curve.high !== undefined && high !== low;
     context.strokeStyle = context.fillStyle = colour(curve.colour);
-    context.lineWidth = 1.6;
+    context.lineWidth = curve.width ?? 1.6;
     if (!intervals) {
       context.setLineDash(curve.dashed ? [5, 4] : []);
       context.beginPath();
@@ -247,7 +248,8 @@ export class Chart {
           if (before.bottom < top) top = before.bottom;
           if (before.top > bottom) bottom = before.top;
         }
-        context.fillRect(x0, top - 0.8, Math.max(1, x1 - x0), bottom - top + 1.6);
+        const half = (curve.width ?? 1.6) / 2;
+        context.fillRect(x0, top - half, Math.max(1, x1 - x0), bottom - top + 2 * half);
         before = own;
       }
     }

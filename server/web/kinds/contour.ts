@@ -129,7 +129,7 @@ function strokeWindow(data: Envelope, job: PlannedJob, fine: string[], strokes: 
       context.strokeRect(at.x(-w / 2), at.y(v / 2), w * at.scale, v * at.scale);
       context.setLineDash([]);
       context.fillStyle = colour("--c0");
-      context.globalAlpha = Math.min(0.8, Math.max(0.06, 60 / count));
+      context.globalAlpha = Math.min(0.8, Math.max(0.22, 60 / count));
       for (let k = 0; k < count; ++k) {
         // Neighbours share a corner, so that the way does not break.
         const next = Math.min(count - 1, k + 1), [x0, x1] = spanOf(a, k), [y0, y1] = spanOf(b, k), exact = x0 === x1 && y0 === y1;

@@ -188,7 +188,7 @@ function spectrum(spectrum: NonNullable<Result["details"]["spectrum"]>, unit: st
   const { frequency, law, classical } = spectrum, largest = Math.max(...law.slice(1), ...classical.slice(1), 0);
   // Harmonics beyond the last that matters are left out of the picture, not of the table.
   let last = frequency.length - 1;
-  while (last > 8 && Math.max(law[last]!, classical[last] ?? 0) < 0.003 * largest) --last;
+  while (last > 8 && Math.max(law[last]!, classical[last] ?? 0) < 0.01 * largest) --last;
   const stems = (values: number[], shift: number, name: string, colour: string) => {
     const step = (frequency[2] ?? 2) - (frequency[1] ?? 1), x: number[] = [], low: number[] = [];
     for (let k = 0; k <= last; ++k) {

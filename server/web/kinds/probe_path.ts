@@ -71,7 +71,7 @@ export async function mountProbePath(section: HTMLElement, id: string, job: Plan
     folded(t("phases_all", { n: details.phases.length, of: details.phases_total }), () => table(t("phases"), [t("phase"), `#${t("from")}, s`, `#${t("to")}, s`, "#" + t("point")],
       details.phases.slice(0, 2000).map((each) => [nameOf(each.kind), fixed(each.start, 4), fixed(each.end, 4), each.point])))));
   const go = (seconds: number) => h("button", { type: "button", class: "plain", click: () => job.view.set({ row: Math.round(seconds / job.cycle), locked: true }) }, fixed(seconds, 4));
-  section.append(panel(t("points"), folded(t("points_all", { n: spec.points.length }), () => table(t("points"), ["#" + t("point"), "#x, mm", "#y, mm", ...(inSpace ? ["#z, mm"] : []), `#${t("passed_at")}, s`, `#${t("distance")}, mm`],
+  section.append(panel(t("points_heading"), folded(t("points_all", { n: spec.points.length }), () => table(t("points"), ["#" + t("point"), "#x, mm", "#y, mm", ...(inSpace ? ["#z, mm"] : []), `#${t("passed_at")}, s`, `#${t("distance")}, mm`],
     details.points.map((each) => [each.index, ...(spec.points[each.index] ?? []).map((value) => number(value)), go(each.time), number(each.distance, 3)])))));
 }
 

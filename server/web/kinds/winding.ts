@@ -187,7 +187,7 @@ function ribbon(list: Stretch[], turns: Turn[], job: PlannedJob): HTMLElement {
   const times = new Map<string, number>();
   for (const each of list) times.set(each.region, (times.get(each.region) ?? 0) + each.to - each.from);
   const total = [...times.values()].reduce((sum, each) => sum + each, 0);
-  return panel(t("ribbon"), legend(...[...times].map(([region, seconds]) => ({ colour: regionColours[region] ?? "--c6", name: `${nameOfRegion(region)} ${percent(seconds / total)}`, kind: "box" as const }))), stage.element, readout,
+  return panel(t("ribbon"), legend(...[...times].sort(([one], [other]) => Number(one === "link") - Number(other === "link")).map(([region, seconds]) => ({ colour: regionColours[region] ?? "--c6", name: `${nameOfRegion(region)} ${percent(seconds / total)}`, kind: "box" as const }))), stage.element, readout,
     folded(t("as_table"), () => table(t("ribbon"), [`#${t("from")}, s`, `#${t("to")}, s`, t("region"), "#" + t("coil"), "#" + t("turn")], list.slice(0, 2000).map((each) => [fixed(each.from, 4), fixed(each.to, 4), nameOfRegion(each.region), each.coil, each.turn]))));
 }
 
@@ -307,7 +307,7 @@ function flatViews(scene: Scene | null, points: SupportPoint[], data: Envelope, 
   const box = h("div", { class: "side-by-side three" });
   append(box, ...views.map(([, element]) => element));
   const frame = scene && scene.frame !== "part" ? null : t("part_frame");
-  return panel(t("flat_views"), legend({ colour: "--idle-back", name: t("part"), kind: "box" }, wires.length > 0 && { colour: "--c4", name: t("wire_so_far") }, { colour: "--c0", name: t("needle") }, { colour: "--rapid", name: t("needle_way") }), frame ? h("p", { class: "soft" }, frame) : null, box);
+  return panel(t("flat_views"), legend({ colour: "--strong", name: t("part"), kind: "box" }, wires.length > 0 && { colour: "--c4", name: t("wire_so_far") }, { colour: "--c0", name: t("needle") }, { colour: "--rapid", name: t("needle_way") }), frame ? h("p", { class: "soft" }, frame) : null, box);
 }
 
 /** Returns a curve that has a value in each interval between bounds. */
