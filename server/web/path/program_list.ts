@@ -38,7 +38,7 @@ export class ProgramList {
     if (!line) return;
     line.setAttribute("aria-current", "true");
     // scrollIntoView would move the page, too.
-    if (scroll) this.list.scrollTop = line.offsetTop - this.list.offsetTop - this.list.clientHeight / 2 + line.offsetHeight / 2;
+    if (scroll) this.list.scrollTop = line.offsetTop - this.list.clientHeight / 2 + line.offsetHeight / 2;
   }
   private name(title: string): void {
     this.title.textContent = title;
