@@ -34,6 +34,12 @@ install_packages() {
   rm -f "$log"
 }
 
+# The browser that drives pages, and npm, which some packages of Node bring.
+install_web() {
+  install_packages web
+  command -v npm >/dev/null || install_packages npm
+}
+
 configure() {
   local log
   [ ! -f "build/$1/build.ninja" ] || return 0

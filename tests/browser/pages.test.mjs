@@ -1,0 +1,40 @@
+// What holds on every page, in both sizes, both schemes, both languages: nothing on the console, nothing against the policy, no request to elsewhere, no
+// scrolling sideways, nothing serious or critical for axe. Each visit checks the first three when it closes.
+import { assert, example, snake, test, variants } from './support.mjs';
+
+const job = (document) => async (service) => `/jobs/${(await service.planned(document)).id}`;
+
+// A name of 200 characters without a space, with marks that turn the direction of writing.
+const strange = { ...example('line.json'), name: '\u202e<b>&amp;\u2067' + 'Ж'.repeat(190), reference: '\u200f' + 'R'.repeat(99) };
+
+async function failed(service) {
+  const { id } = await service.post({ ...snake(20000), time_budget: 0.05 });
+  const { state } = await service.ended(id);
+  assert.equal(state, 'failed');
+  return `/jobs/${id}`;
+}
+
+const pages = {
+  'jobs': async (service) => (await service.planned('bracket.json')) && '/',
+  'contour in the plane': job('bracket.json'),
+  'fill factor': job('stator_slot.json'),
+  'winding': job('rotor_coil.json'),
+  'motion law': job('tolerance_boxes.json'),
+  'probe path': job('probe_space.json'),
+  'a strange name': job(strange),
+  'a failed job': failed,
+  'a problem': async () => '/problems/infeasible',
+};
+
+for (const [name, path] of Object.entries(pages))
+  test(name, async ({ service, visit }) => {
+    const address = await path(service);
+    for (const variant of variants) {
+      const page = await visit(address, variant);
+      await page.quiet();
+      assert.equal(await page.locator('html').getAttribute('lang'), variant.lang);
+      await page.expectNoSidewaysScroll();
+      await page.axe();
+      await page.close();
+    }
+  });
