@@ -208,7 +208,7 @@ Reasons reasons_of(Context& context, const api::Job& job) {
   const auto info = context.store.series(job.id);
   if (!info || info->views != api::views_version) return reasons;
   reasons.cycle = info->cycle_time;
-  const api::SetpointSeries series = stored_series(context.store, *info);
+  const api::SetpointSeries series = stored_series(context, *info);
   api::LimitsReader limits(series.view, info->count);
   reasons.limits = api::limits_answer(limits, info->count, info->cycle_time, {});
   const auto table = api::read_segments(series.view);

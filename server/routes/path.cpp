@@ -28,7 +28,7 @@ Response blocks(Context& context, const Request& request) {
   const api::Job job = require_success(context, id);
   return unless_known(request, content_etag(context, job, "blocks"), [&] {
     const SeriesInfo info = require_views(context, id);
-    const api::SetpointSeries series = stored_series(context.store, info);
+    const api::SetpointSeries series = stored_series(context, info);
     return json_answer(200, blocks_answer(context.store, id, series, require_segments(series, id), query));
   });
 }
@@ -87,7 +87,7 @@ Response path(Context& context, const Request& request) {
   const api::Job job = require_success(context, id);
   Response response = unless_known(request, content_etag(context, job, bytes ? "path-f32" : "path-json"), [&] {
     const SeriesInfo info = require_views(context, id);
-    const api::SetpointSeries series = stored_series(context.store, info);
+    const api::SetpointSeries series = stored_series(context, info);
     const bool part = query.of == "part";
     const api::StoredPath stored(series.view, part ? "tool" : query.of);
     if (!stored.exists() || (part && !series.pose_frame))

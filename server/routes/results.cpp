@@ -81,7 +81,7 @@ Response setpoint_rows(Context& context, const Request& request, const api::Setp
   const bool views = query.points || std::any_of(query.columns.begin(), query.columns.end(), is_computed);
   const SeriesInfo info = views ? require_views(context, id) : require_series(context, id);
   const auto stream =
-      std::make_shared<api::SetpointStream>(api::SetpointStream(stored_series(context.store, info), query, format));
+      std::make_shared<api::SetpointStream>(api::SetpointStream(stored_series(context, info), query, format));
   std::string columns;
   for (const Column& column : stream->columns()) columns += (columns.empty() ? "" : ",") + column.name;
   Response response;

@@ -56,7 +56,7 @@ SeriesInfo require_views(Context& context, const std::string& id) {
     bytes = 0;
   };
   api::make_views({info.columns, info.count, info.cycle_time, facts_of(context, id)}, keep,
-                  stored_series(context.store, info).read);
+                  stored_series(context, info).read);
   context.store.put_views(info, parts, true);
   info.views = api::views_version;
   return info;
@@ -66,7 +66,7 @@ api::ViewReader view_reader(Store& store, const SeriesInfo& info) {
   return [&store, info](std::string_view name, std::size_t part) { return store.read_view(info, name, part); };
 }
 
-api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
+api::SetpointSeries stored_series(Context& context, const SeriesInfo& info) {
   struct Chunk {
     std::size_t first = static_cast<std::size_t>(-1);
     std::vector<double> values;
@@ -77,9 +77,9 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   series.cycle_time = info.cycle_time;
   series.independent = info.independent;
   series.pose_frame = info.pose_frame;
-  if (info.views == api::views_version) series.view = view_reader(store, info);
-  series.read = [&store, info, chunk = std::make_shared<Chunk>()](std::size_t first, std::size_t rows,
-                                                                  std::vector<double>& out) {
+  if (info.views == api::views_version) series.view = view_reader(context.store, info);
+  series.read = [&store = context.store, &metrics = context.metrics, info, chunk = std::make_shared<Chunk>()](
+                    std::size_t first, std::size_t rows, std::vector<double>& out) {
     const std::size_t width = info.columns.size();
     out.resize(rows * width);
     for (std::size_t done = 0; done < rows;) {
@@ -87,6 +87,7 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
       if (chunk->first != start) {
         store.read_chunk(info, start, chunk->values);
         chunk->first = start;
+        metrics.rows_read(chunk->values.size() / width);
       }
       const std::size_t take = std::min(rows - done, start + info.chunk_rows - at);
       std::copy_n(chunk->values.begin() + static_cast<std::ptrdiff_t>((at - start) * width), take * width,

@@ -15,8 +15,8 @@ SeriesInfo require_views(Context& context, const std::string& id);
 
 /// Returns a function that reads the stored views. The store must outlive it.
 api::ViewReader view_reader(Store& store, const SeriesInfo& info);
-/// Returns the series, read chunk by chunk; the last chunk is kept, because rows are read in order. It has views where
-/// these are present.
-api::SetpointSeries stored_series(Store& store, const SeriesInfo& info);
+/// Returns the series, read chunk by chunk; the last chunk is kept, because rows are read in order, and each one read
+/// is counted. It has views where these are present. The context must outlive it.
+api::SetpointSeries stored_series(Context& context, const SeriesInfo& info);
 
 }  // namespace bahnwerk::server

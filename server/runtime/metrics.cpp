@@ -79,6 +79,11 @@ struct Metrics::State {
                                     .Help("Writes committed; divided by the commits it is the size of a group")
                                     .Register(registry)
                                     .Add({});
+  prometheus::Counter& rows_read = prometheus::BuildCounter()
+                                       .Name("bahnwerk_setpoint_rows_read_total")
+                                       .Help("Rows of stored setpoints unpacked for answers, whole chunks")
+                                       .Register(registry)
+                                       .Add({});
   prometheus::Family<prometheus::Gauge>& job_states =
       prometheus::BuildGauge().Name("bahnwerk_jobs").Help("Jobs in the store by state").Register(registry);
   prometheus::Gauge& queue = prometheus::BuildGauge()
@@ -138,6 +143,8 @@ void Metrics::commit(double seconds, std::size_t writes) {
   state_->commits.Observe(seconds);
   state_->writes.Increment(static_cast<double>(writes));
 }
+
+void Metrics::rows_read(std::size_t rows) { state_->rows_read.Increment(static_cast<double>(rows)); }
 
 void Metrics::callback(std::string_view outcome) {
   state_->callback_attempts.Add({{"outcome", std::string(outcome)}}).Increment();

@@ -20,6 +20,7 @@ class Metrics {
   void refused(std::string_view problem);
   void planned(std::string_view kind, std::string_view state, double seconds);
   void commit(double seconds, std::size_t writes);  ///< counts a transaction of the store
+  void rows_read(std::size_t rows);                 ///< counts stored setpoints that were unpacked for an answer
   void callback(std::string_view outcome);          ///< counts an attempt: delivered, failed, given_up
   void connections(std::size_t open);
   void jobs(std::string_view state, std::size_t count);

@@ -14,6 +14,7 @@ TEST(Metrics, CountWhatTheyAreTold) {
   metrics.request("/v1/jobs/{id}", "GET", 404, 0.001);
   metrics.planned("contour", "succeeded", 2);
   metrics.commit(0.003, 7);
+  metrics.rows_read(4096);
   metrics.jobs("queued", 5);
   metrics.request("/v1/jobs/{id}", "GET", 200, 30, true);
   metrics.refused("too-many-jobs");
@@ -43,6 +44,7 @@ TEST(Metrics, CountWhatTheyAreTold) {
   EXPECT_THAT(text, HasSubstr("bahnwerk_planning_seconds_sum{kind=\"contour\",state=\"succeeded\"} 2\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_store_commit_seconds_count 1\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_store_writes_total 7\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_setpoint_rows_read_total 4096\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_jobs{state=\"queued\"} 5\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_queue_length 5\n"));
 }
