@@ -1,6 +1,6 @@
-// Pixels of a screenshot: PNG (ISO/IEC 15948) of 8 bits per sample without interlacing, as Chromium writes it.
+// PNG (ISO/IEC 15948): the pixels of a screenshot, as Chromium writes it, 8 bits per sample without interlacing; and pictures for the documentation.
 import assert from 'node:assert/strict';
-import { inflateSync } from 'node:zlib';
+import { deflateSync, inflateSync } from 'node:zlib';
 
 const paeth = (a, b, c) => {
   const p = a + b - c, pa = Math.abs(p - a), pb = Math.abs(p - b), pc = Math.abs(p - c);
@@ -33,4 +33,53 @@ export function colours({ width, height, at }) {
   const found = new Set();
   for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) found.add(at(x, y).join());
   return found.size;
+}
+
+const crcs = Uint32Array.from({ length: 256 }, (_, n) => {
+  for (let bit = 0; bit < 8; ++bit) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
+  return n >>> 0;
+});
+function chunk(name, data) {
+  const out = Buffer.alloc(data.length + 12);
+  out.writeUInt32BE(data.length, 0);
+  out.write(name, 4, 'latin1');
+  data.copy(out, 8);
+  let crc = 0xffffffff;
+  for (const byte of out.subarray(4, data.length + 8)) crc = crcs[(crc ^ byte) & 255] ^ (crc >>> 8);
+  out.writeUInt32BE((crc ^ 0xffffffff) >>> 0, data.length + 8);
+  return out;
+}
+
+/** Returns a PNG with a palette of 256 colours, a quarter of the size: the most frequent ones, each other pixel as the nearest of them. Pages have few
+ *  colours; what loses some are the edges of text and curves. */
+export function encodeWithPalette({ width, height, at }) {
+  const counts = new Map(), pixels = new Uint32Array(width * height);
+  for (let y = 0, i = 0; y < height; ++y)
+    for (let x = 0; x < width; ++x, ++i) {
+      const [r, g, b] = at(x, y);
+      pixels[i] = (r << 16) | (g << 8) | b;
+      counts.set(pixels[i], (counts.get(pixels[i]) ?? 0) + 1);
+    }
+  const palette = [...counts].sort((a, b) => b[1] - a[1] || a[0] - b[0]).slice(0, 256).map(([colour]) => colour);
+  const numbers = new Map(palette.map((colour, number) => [colour, number]));
+  const nearest = (colour) => {
+    let best = 0, least = Infinity;
+    palette.forEach((other, number) => {
+      const distance = ((colour >> 16) - (other >> 16)) ** 2 + (((colour >> 8) & 255) - ((other >> 8) & 255)) ** 2 + ((colour & 255) - (other & 255)) ** 2;
+      if (distance < least) [best, least] = [number, distance];
+    });
+    return best;
+  };
+  const lines = Buffer.alloc(height * (width + 1));
+  pixels.forEach((colour, i) => {
+    let number = numbers.get(colour);
+    if (number === undefined) numbers.set(colour, (number = nearest(colour)));
+    lines[i + Math.floor(i / width) + 1] = number;
+  });
+  const head = Buffer.alloc(13);
+  head.writeUInt32BE(width, 0);
+  head.writeUInt32BE(height, 4);
+  head.set([8, 3, 0, 0, 0], 8);
+  const colours = Buffer.from(palette.flatMap((colour) => [colour >> 16, (colour >> 8) & 255, colour & 255]));
+  return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', head), chunk('PLTE', colours), chunk('IDAT', deflateSync(lines, { level: 9 })), chunk('IEND', Buffer.alloc(0))]);
 }
