@@ -66,6 +66,7 @@ export class Visit {
       if (url.protocol === 'blob:' || url.protocol === 'data:') return;
       if (url.origin !== this.service.url) this.#fault(`a request to ${url.origin}`);
       const entry = { url: url.pathname + url.search, method: request.method, type, status: 0, bytes: 0, cached: false };
+      entry.again = this.requests.some((other) => other.url === entry.url && other.method === entry.method);
       this.requests.push(entry);
       this.#open.set(requestId, entry);
     });
@@ -104,14 +105,15 @@ export class Visit {
     return result.value;
   }
 
-  /** Waits until the page asks for nothing any more and has drawn: no request was under way, streams of events aside, and none began, while it was idle ten
-   *  times in a row. */
+  /** Waits until the page asks for nothing new any more and has drawn: no request was under way, and none began, while it was idle ten times in a row.
+   *  Streams of events do not count, nor what is asked once more: pages look for changes again and again. */
   async quiet() {
-    const waiting = () => [...this.#open.values()].filter(({ type }) => type !== 'EventSource').length;
+    const fresh = (requests) => [...requests].filter(({ type, again }) => type !== 'EventSource' && !again).length;
     for (let idle = 0, seen = -1; idle < 10; ) {
       await this.read('new Promise((done) => requestAnimationFrame(() => setTimeout(() => requestIdleCallback(done), 50)))');
-      idle = waiting() || this.requests.length !== seen ? 0 : idle + 1;
-      seen = this.requests.length;
+      const now = fresh(this.requests);
+      idle = fresh(this.#open.values()) || now !== seen ? 0 : idle + 1;
+      seen = now;
     }
   }
 
