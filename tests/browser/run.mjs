@@ -60,8 +60,10 @@ async function runTest({ name, run }) {
   for (const each of visits)
     await each.close({ failing: failure !== undefined }).catch((error) => (failure ??= error));
   for (const each of own) await each.remove();
-  if (failure) failures.push({ name, failure });
   console.log(`${failure ? 'FAILED' : 'ok    '} ${seconds(begun).padStart(7)}  ${name}`);
+  if (!failure) return;
+  failures.push(name);
+  console.log(`${failure.stack ?? failure}\n`.replace(/^/gm, '    '));
 }
 
 // As many at a time as there are processors; those that have to be alone at the end.
@@ -73,6 +75,6 @@ await Promise.all(Array.from({ length: processors }, async () => {
 for (const each of chosen.filter(({ alone }) => alone)) await runTest(each);
 
 await browser.close();
-for (const { name, failure } of failures) console.error(`\n${name}\n${failure.stack ?? failure}`);
+if (failures.length) console.log(`Failed: ${failures.join('; ')}. Pictures of their pages: ${pictures}`);
 console.log(`${chosen.length - failures.length} of ${chosen.length} tests of pages passed in ${seconds(started)}`);
 await stop(failures.length ? 1 : 0);

@@ -9,4 +9,4 @@ request GET /openapi.json
 out=$root/build/web
 mkdir -p "$out"
 "$here/node_modules/.bin/openapi-typescript" "$work/body" --default-non-nullable=false -o "$out/served.d.ts" >"$work/out" 2>&1 || { cat "$work/out" >&2; fail "types from the OpenAPI document"; }
-"$here/node_modules/.bin/tsc" -p "$here" || fail "the compiler"
+"$here/node_modules/.bin/tsc" -p "$here" || { echo "FAILED: the compiler" >&2; exit 1; }

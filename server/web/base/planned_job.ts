@@ -8,7 +8,7 @@ export interface Limit {
   name: string;
   unit: string | null;
   value: number | null;
-  column?: string;
+  column: string | null; // of setpoints that the limit is on
   time: number;
   share: number;
   lowest?: number | null; // where it is not the negative of `value`
