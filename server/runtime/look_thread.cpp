@@ -31,8 +31,8 @@ void LookThread::loop() {
   while (!stop_) {
     const std::uint64_t seen = notifications_;
     lock.unlock();
-    const auto asleep_since = time_.now();
-    const auto until = asleep_since + look_();
+    const auto began = time_.now();
+    const auto until = began + look_();
     lock.lock();
     while (!stop_ && notifications_ == seen && time_.now() < until) time_.wait_until(lock, wake_, until);
   }
