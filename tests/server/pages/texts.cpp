@@ -30,7 +30,8 @@ TEST(Texts, BothLanguagesHaveTheSameKeysWithTheSameValues) {
   std::set<std::string> keys[2];
   for (const TextFile& file : text_files()) {
     const bool german = file.name.starts_with("de/");
-    for (const auto& [key, text] : nlohmann::json::parse(file.json).items()) {
+    const auto texts = nlohmann::json::parse(file.json);
+    for (const auto& [key, text] : texts.items()) {
       std::set<std::string> names;
       const std::string value = text.get<std::string>();
       EXPECT_FALSE(value.empty()) << key;
