@@ -46,19 +46,19 @@ test('one job is cancelled, planned once more and deleted, after a question', as
   const page = await visit('/', { service });
   const row = page.locator(`tr[data-id="${id}"]`);
   await row.getByRole('button', { name: /^Cancel/ }).click();
-  await page.locator('dialog').getByRole('button', { name: 'Leave them as they are' }).click();
+  await page.page.locator('dialog').getByRole('button', { name: 'Change nothing' }).click();
   assert.equal((await service.job(id)).state, 'queued');
   await row.getByRole('button', { name: /^Cancel/ }).click();
-  await page.locator('dialog').getByRole('button', { name: 'Cancel', exact: true }).click();
+  await page.page.locator('dialog').getByRole('button', { name: 'Cancel', exact: true }).click();
   await row.locator('.state.cancelled').waitFor();
   await row.getByRole('button', { name: /^Retry/ }).click();
-  await page.locator('dialog').getByRole('button', { name: 'Retry', exact: true }).click();
+  await page.page.locator('dialog').getByRole('button', { name: 'Retry', exact: true }).click();
   await row.locator('.state.queued').waitFor();
   await row.getByRole('button', { name: /^Delete/ }).waitFor({ state: 'detached' });
   await row.getByRole('button', { name: /^Cancel/ }).click();
-  await page.locator('dialog').getByRole('button', { name: 'Cancel', exact: true }).click();
+  await page.page.locator('dialog').getByRole('button', { name: 'Cancel', exact: true }).click();
   await row.getByRole('button', { name: /^Delete/ }).click();
-  await page.locator('dialog').getByRole('button', { name: 'Delete', exact: true }).click();
+  await page.page.locator('dialog').getByRole('button', { name: 'Delete', exact: true }).click();
   await row.waitFor({ state: 'detached' });
 });
 
@@ -68,7 +68,7 @@ test('all that match are counted, changed and told, and no others', async ({ own
   const page = await visit('/?text=go', { service });
   await page.locator('#matching').check();
   await page.locator('#bulk [data-action=cancel]').click();
-  await page.locator('dialog').getByRole('button', { name: 'Cancel 60' }).click();
+  await page.page.locator('dialog').getByRole('button', { name: 'Cancel 60' }).click();
   await page.locator('dialog').filter({ hasText: '60 cancelled.' }).getByRole('button', { name: 'Close' }).click();
   await page.locator('#states a[data-state=cancelled] b').filter({ hasText: '60' }).waitFor();
   const { counts } = await service.ask('/v1/jobs');
@@ -84,8 +84,8 @@ test('those ticked by the keyboard are deleted', async ({ own, visit }) => {
   for (const key of ['j', 'x', 'j', 'x']) await page.page.keyboard.press(key);
   await page.locator('#bulk .count').filter({ hasText: '2 selected' }).waitFor();
   await page.locator('#bulk [data-action=delete]').click();
-  await page.locator('dialog').getByRole('button', { name: 'Delete 2' }).click();
-  await page.locator('dialog').getByRole('button', { name: 'Close' }).click();
+  await page.page.locator('dialog').getByRole('button', { name: 'Delete 2' }).click();
+  await page.page.locator('dialog').getByRole('button', { name: 'Close' }).click();
   await shown(page, 2);
   const { jobs } = await service.ask('/v1/jobs');
   assert.deepEqual(jobs.map((job) => job.id), [ids[1], ids[0]]);
