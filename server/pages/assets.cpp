@@ -30,7 +30,6 @@ Response answer(const Request& request) {
   if (packed) response.set("Content-Encoding", "gzip");
   response.set("Vary", "Accept-Encoding");
   response.set("Cache-Control", "public, max-age=31536000, immutable");
-  response.set("X-Content-Type-Options", "nosniff");
   return response;
 }
 

@@ -119,7 +119,6 @@ Response html_page(const Request& request, const Page& page) {
   response.set("Cache-Control", "no-cache");
   response.set("Vary", "Accept-Language, Cookie");
   response.set("Referrer-Policy", "same-origin");
-  response.set("X-Content-Type-Options", "nosniff");
   for (const auto& [name, value] : request.query)
     if (name == "lang" && value == code(text.language()))
       response.set("Set-Cookie", "bahnwerk_lang=" + value + "; Path=" + request.prefix +

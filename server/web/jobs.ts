@@ -58,7 +58,7 @@ function follow(tick: () => Promise<void>, failed: (error: unknown) => void): ()
 function startList(): void {
   const body = document.querySelector("#list tbody")!, more = byId("more")!, none = byId("none")!, bulk = byId("bulk")!;
   const form = byId<HTMLFormElement>("filter")!, states = byId("states")!;
-  const note = h("p", { class: "note bad", role: "alert", hidden: true });
+  const note = h("p", { class: "notice bad", role: "alert", hidden: true });
   form.after(note);
   body.closest("#list")!.setAttribute("aria-live", "off");
 

@@ -52,7 +52,7 @@ async function start(section: HTMLElement): Promise<void> {
   };
 
   // The page.
-  const note = h("p", { class: "note", role: "status", hidden: true });
+  const note = h("p", { class: "notice", role: "status", hidden: true });
   const tell = (text: string, bad = false): void => {
     note.hidden = text === "";
     note.textContent = text;
@@ -163,7 +163,7 @@ async function start(section: HTMLElement): Promise<void> {
     faults = [];
     showFaults(formPlace, []);
     const text = error instanceof Refused ? (error.status === 401 ? t("log_in") : error.message) : t("offline");
-    fill(verdict, h("p", { class: "note bad" }, text));
+    fill(verdict, h("p", { class: "notice bad" }, text));
   }
 
   async function check(): Promise<void> {
@@ -323,4 +323,4 @@ function append1<T extends Element>(parent: T, children: Node[]): T {
 
 startPage();
 const section = byId("new");
-if (section) void start(section).catch((error: Error) => fill(section, h("p", { class: "note bad", role: "alert" }, error.message)));
+if (section) void start(section).catch((error: Error) => fill(section, h("p", { class: "notice bad", role: "alert" }, error.message)));

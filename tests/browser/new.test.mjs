@@ -38,7 +38,7 @@ test('a program that is not UTF-8 is read all the same, and its faults name thei
   await good(page);
   const bytes = Buffer.concat([Buffer.from('G21 G90\nG0 X10 (M'), Buffer.from([0xe4, 0x80]), Buffer.from(')\nG1 X50 F6000\nG987\nG1 Y30\n')]);
   await page.locator('#file').setInputFiles({ name: 'teil.txt', mimeType: 'text/plain', buffer: bytes });
-  await page.locator('.note').filter({ hasText: 'Windows-1252' }).waitFor();
+  await page.locator('.notice').filter({ hasText: 'Windows-1252' }).waitFor();
   const program = page.locator('[data-pointer="/spec/contour/gcode"] textarea');
   assert.match(await program.inputValue(), /Mä€/);
   await page.locator('.faults').getByRole('button', { name: 'line 4' }).click();
@@ -53,11 +53,11 @@ test('drawings and documents are recognised, whatever they are called', async ({
   await good(page);
   const give = (text) => page.locator('#file').setInputFiles({ name: 'file.bin', mimeType: 'application/octet-stream', buffer: Buffer.from(text) });
   await give(example('parts/bracket.dxf').spec.contour.dxf);
-  await page.locator('.note').filter({ hasText: 'It is a drawing.' }).waitFor();
+  await page.locator('.notice').filter({ hasText: 'It is a drawing.' }).waitFor();
   await give(JSON.stringify(example('probe_space.json')));
   await field(page, '/spec/speed').waitFor();
   await give('{"kind": ');
-  await page.locator('.note.bad').waitFor();
+  await page.locator('.notice.bad').waitFor();
 });
 
 test('a job is posted again with changes, from the field that is to be changed', async ({ own, visit }) => {

@@ -26,7 +26,7 @@ export function startFirst(root: HTMLElement): void {
       } catch (error) {
         button.disabled = false;
         button.textContent = label;
-        button.after(h("p", { class: "note bad", role: "alert" }, (error as Error).message));
+        button.after(h("p", { class: "notice bad", role: "alert" }, (error as Error).message));
       }
     });
 
