@@ -182,7 +182,7 @@ expect_status 304
 page /jobs/nobody 404
 has 'There is no job nobody'
 has 'What to do'
-links 6
+has 'href="/"'
 page '/jobs/nobody?lang=de' 404
 has 'Was zu tun ist'
 page '/?state=lost' 422
