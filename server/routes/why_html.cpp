@@ -165,7 +165,7 @@ std::string slowest_blocks(const ordered_json& blocks, double cycle, const Texts
 std::string worst_section(const ordered_json& details, const Texts& text) {
   const ordered_json& worst = member(member(details, "sections"), "worst");
   const auto gap = number_at(worst, "gap"), time = number_at(worst, "time");
-  if (!gap || !time) return "";
+  if (!gap || !time || *gap < 5e-4) return "";  // nearer than that nothing is to be gained
   const ordered_json& line = member(worst, "line");
   const std::string place = line.is_number()
                                 ? text("job.at_line", {{"n", shown_value(line, text)}})

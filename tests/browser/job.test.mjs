@@ -121,7 +121,7 @@ test('a law over an angle has its angle below the curves, and no path', async ({
   const page = await visit(`/jobs/${id}`);
   await page.quiet();
   assert.equal(await page.locator('#job').getAttribute('data-unit'), 'deg');
-  assert.equal(await page.locator('#curves .chart').count(), 5); // s v a j and the use of limits
+  assert.equal(await page.locator('#curves .chart').count(), 4); // s v a j
   await page.page.keyboard.press('ArrowRight');
   await page.locator('.readout', { hasText: '°' }).waitFor();
 });

@@ -56,6 +56,7 @@ class Curves {
   private addressTimer = 0;
   private legendSays = "";
 
+  private readonly heading = h("h2", {}, t("title"));
   private readonly stack = h("div", { class: "charts", role: "group", "aria-label": t("title") });
   private readonly ribbon = h("canvas", { class: "ribbon", role: "img", "aria-label": t("ribbon") });
   private readonly axis = h("canvas", { class: "axis", "aria-hidden": "true" });
@@ -94,6 +95,9 @@ class Curves {
     void job.limits().then((answer) => {
       this.limits = answer.limits;
       this.colours = limitColours(answer.limits);
+      const limited = answer.limits.some((limit) => limit.unit !== null && limit.share > 0);
+      this.ribbon.hidden = this.legend.hidden = !limited;
+      if (!limited) this.heading.textContent = t("curves");
       this.markTable();
       this.draw();
     });
@@ -121,7 +125,7 @@ class Curves {
       : null;
     this.stack.append(this.ribbon, this.axis, this.list, this.line, this.selection);
     this.table.append(this.tableBody);
-    append(this.section, h("h2", {}, t("title")),
+    append(this.section, this.heading,
            h("div", { class: "tools no-print" }, button("−", t("farther"), () => this.zoomBy(2)), button("+", t("closer"), () => this.zoomBy(0.5)),
              h("button", { type: "button", click: () => this.showWhole() }, t("whole")), over, this.lock, this.readout),
            this.legend, this.stack, this.overview, this.trouble, h("p", { class: "soft hint no-print" }, t("hint")), this.chooser(), this.table);

@@ -27,9 +27,9 @@ export function linkPlaces(job: PlannedJob, root: ParentNode = document): void {
     });
   }
   for (const cell of root.querySelectorAll<HTMLElement>("#verification td[data-at]")) {
-    // Other places than times, or those of the law's angle, are no rows.
-    if (cell.dataset.unit !== job.unit) continue;
-    const row = Math.round(Number(cell.dataset.at) / job.cycle), width = Math.max(200, Math.round(job.rows / 200));
+    const per = cell.dataset.unit === "s" ? job.seconds : cell.dataset.unit === job.unit ? job.cycle : 0;
+    if (per === 0) continue; // a place on the path, say, is no row
+    const row = Math.round(Number(cell.dataset.at) / per), width = Math.max(200, Math.round(job.rows / 200));
     makeButton(cell, () => {
       job.view.set({ first: row - Math.floor(width / 2), count: width, row, locked: true });
       showCurves();
