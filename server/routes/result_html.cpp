@@ -60,8 +60,14 @@ std::optional<double> use_of(const ordered_json& check) {
 }
 
 std::string check_name(const ordered_json& check, const Texts& text) {
-  const ordered_json& name = member(check, "name");
-  return name.is_string() ? escape_html(text.name(name.get<std::string>())) : shown_value(name, text);
+  const ordered_json& given = member(check, "name");
+  if (!given.is_string()) return shown_value(given, text);
+  std::string name = text.name(given.get<std::string>());
+  // "path velocity (feed 400)" has a word behind the axis' place.
+  constexpr std::string_view feed = "(feed ";
+  if (const std::size_t at = name.find(feed); at != name.npos)
+    name.replace(at, feed.size(), "(" + text.name("feed") + " ");
+  return escape_html(name);
 }
 
 std::string check_row(const ordered_json& check, const Texts& text) {

@@ -61,6 +61,9 @@ TEST(ResultHtml, NumbersHaveTheDecimalSignOfTheLanguage) {
   EXPECT_EQ(duration_label(3.3148, german), "3,315 s");
   EXPECT_EQ(percent(0.00938, german), "0,94 %");
   EXPECT_TRUE(has(verification({{"passed", true}, {"checks", {check("a", "limit", 1.5, 2)}}}, german), "1,5 mm"));
+  EXPECT_TRUE(
+      has(verification({{"passed", true}, {"checks", {check("path velocity (feed 400)", "limit", 1, 2)}}}, german),
+          ">Bahngeschwindigkeit (Vorschub 400)</th>"));
 }
 
 TEST(ResultHtml, ExactnessIsFoldedAndLimitsAndFailedChecksAreNot) {
