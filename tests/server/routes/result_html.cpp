@@ -89,7 +89,7 @@ TEST(ResultHtml, ALeastPermittedValueIsUsedTheLessTheLargerTheValueIs) {
     return verification({{"passed", passed}, {"checks", {check("clearance", "limit", value, limit, passed)}}}, english);
   };
   EXPECT_TRUE(has(shown(4, 1, true), "value=\"0.2500\""));
-  EXPECT_TRUE(has(shown(1, 4, false), "optimum=\"0\" value=\"4.0000\"></meter> 400 %"));
+  EXPECT_TRUE(has(shown(1, 4, false), "optimum=\"0\" aria-label=\"clearance\" value=\"4.0000\"></meter> 400 %"));
   EXPECT_TRUE(has(shown(0, 4, true), "0 %"));
   EXPECT_FALSE(has(shown(4, 0, true), "<meter")) << "a limit of 0 has no share";
 }
