@@ -54,12 +54,11 @@ export function followJob(id: string, begin: () => void): void {
 
   const show = (): void => {
     if (!job) return;
-    const state = document.querySelector<HTMLElement>("[data-verdict] .state");
     const { fraction, stage: name, message, remaining } = job.progress, running = job.state === "running";
-    if (state) {
+    for (const state of document.querySelectorAll<HTMLElement>("[data-verdict] .state, #facts .state")) {
       state.className = `state ${job.state}`;
       state.textContent = t(`state_${job.state}`) + (running ? ` ${Math.floor(fraction * 100 + 1e-9)} %` : "");
-      // The server wrote the share behind the state.
+      // The service wrote the share behind the state.
       if (state.nextSibling?.nodeType === Node.TEXT_NODE) state.nextSibling.textContent = " ";
     }
     if (bar) running ? (bar.value = fraction) : bar.removeAttribute("value");
