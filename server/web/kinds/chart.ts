@@ -98,7 +98,7 @@ export function axisRange(options: Pick<ChartOptions, "curves" | "boxes" | "rule
   if (!(low <= high)) return { from: 0, to: 1 };
   // A change that only rounding makes is none.
   if (high - low <= 1e-9 * Math.max(Math.abs(low), Math.abs(high))) {
-    const half = Math.max(Math.abs(low) * 0.05, 1e-6);
+    const half = low === 0 ? 1 : Math.abs(low) * 0.05;
     return { from: low - half, to: high + half };
   }
   const room = 0.06 * (high - low);

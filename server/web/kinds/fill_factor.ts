@@ -172,7 +172,7 @@ function drawing(slot: Result["details"]["slot"], chosen: () => Layout, follower
         context.beginPath();
         context.arc(at.x(x), at.y(y), inner, 0, 2 * Math.PI);
         context.fillStyle = colour(own >= bad ? "--c1" : "--c4");
-        context.globalAlpha = last ? 1 : 0.62;
+        context.globalAlpha = last ? 1 : 0.85;
         context.fill();
         context.globalAlpha = 1;
         if (own >= bad) {

@@ -86,8 +86,8 @@ export function envelopeOf({ names, data }: Columns): Envelope {
 }
 
 /** Asks for the envelope of columns of the whole series in about `points` intervals. */
-export const envelope = async (id: string, columns: string[], points: number): Promise<Envelope> =>
-  envelopeOf(await getColumns(`/v1/jobs/${id}/setpoints?points=${points}&columns=${columns.join(",")}&format=f32`));
+export const envelope = async (id: string, columns: string[], points: number, rest = ""): Promise<Envelope> =>
+  envelopeOf(await getColumns(`/v1/jobs/${id}/setpoints?points=${points}&columns=${columns.join(",")}&format=f32${rest}`));
 
 /** Returns a column of an envelope as a curve over x. */
 export function curveOf(envelope: Envelope, column: string, x: ArrayLike<number>, name: string, colour: string): Curve | null {

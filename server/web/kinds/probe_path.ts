@@ -65,7 +65,7 @@ export async function mountProbePath(section: HTMLElement, id: string, job: Plan
   for (const each of [...charts, ...planes]) each.redraw();
   const total = [...kinds.values()].reduce((sum, each) => sum + each, 0);
   section.append(panel(t("deviation_heading"),
-    h("p", {}, t("deviation_sentence", { most: fixed(summary.max_deviation, 4), tolerance: number(spec.tolerance), share: percent(summary.max_deviation / spec.tolerance) })),
+    h("p", {}, t("deviation_sentence", { most: fixed(summary.max_deviation, 4), tolerance: number(spec.tolerance), share: fixed((summary.max_deviation / spec.tolerance) * 100, 1) + " %" })),
     legend({ colour: "--c6", name: t("law_limit"), kind: "dashed" }, ...[...kinds.keys()].map((each) => ({ colour: colourOf(each), name: nameOf(each), kind: "box" as const }))), ...charts.map((each) => each.element)));
   section.append(panel(t("phases"), table(t("phases"), [t("phase"), `#${t("time")}, s`, "#" + t("share")], [...kinds].map(([kind, seconds]) => [nameOf(kind), fixed(seconds, 3), percent(seconds / total)])),
     folded(t("phases_all", { n: details.phases.length, of: details.phases_total }), () => table(t("phases"), [t("phase"), `#${t("from")}, s`, `#${t("to")}, s`, "#" + t("point")],

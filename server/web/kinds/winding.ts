@@ -114,7 +114,7 @@ export async function mountWinding(section: HTMLElement, id: string, job: Planne
   if (job) {
     const axes = details.axes.map((each) => each.name).filter((each) => job.columns.includes(each));
     const columns = [...axes, "v", "brake", "x", "y", "z", "phi", "psi"].filter((each) => job.columns.includes(each));
-    const [data, scene] = await Promise.all([envelope(id, columns, 1500), getJson<Scene>(`/v1/jobs/${id}/scene`).catch((error) => {
+    const [data, scene] = await Promise.all([envelope(id, columns, 1500, "&frame=part"), getJson<Scene>(`/v1/jobs/${id}/scene`).catch((error) => {
       if (error instanceof Refused) return null;
       throw error;
     })]);
