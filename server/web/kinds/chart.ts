@@ -178,7 +178,9 @@ export class Chart {
     context.lineWidth = 1;
     context.fillStyle = colour("--soft");
     const xs = (options.angle ? angleTicks : ticks)(f.from, f.to, Math.max(2, Math.floor((f.right - f.left) / 74)));
-    const ys = ticks(f.y.from, f.y.to, Math.max(3, Math.floor((f.bottom - f.top) / 24)));
+    // Two ticks at least: one alone tells no scale.
+    let ys = ticks(f.y.from, f.y.to, Math.max(3, Math.floor((f.bottom - f.top) / 24)));
+    for (let most = 4; ys.values.length < 2 && most < 9; ++most) ys = ticks(f.y.from, f.y.to, most);
     context.strokeStyle = colour("--line");
     context.textBaseline = "middle";
     context.textAlign = "right";

@@ -36,12 +36,13 @@ const colours = ["--c0", "--c1", "--c2"];
 export async function mountCoarseFine(section: HTMLElement, id: string, job: PlannedJob): Promise<void> {
   const axes = ["x", "y", "z"].filter((each) => job.columns.includes(each + "c"));
   if (axes.length === 0) return; // no coarse and fine axes
-  const fine = axes.filter((each) => job.columns.includes(each + "f"));
   const [result, data, document] = await Promise.all([
     resultParts<Result>(id, "summary", "details.redundancy"),
-    envelope(id, axes.flatMap((each) => [each, each + "c", ...(fine.includes(each) ? [each + "f"] : [])]), 1500),
+    envelope(id, axes.flatMap((each) => [each, each + "c", ...(job.columns.includes(each + "f") ? [each + "f"] : [])]), 1500),
     getJson<Document>(`/v1/jobs/${id}/spec`),
   ]);
+  // Where a machine lacks the fine axis of a coordinate, its column is rounding.
+  const fine = axes.filter((each) => job.columns.includes(each + "f") && document.spec.machine.fine[each]);
   const strokes = new Map(fine.map((each) => [each, document.spec.machine.fine[each]?.stroke ?? NaN]));
   const used = fine.map((each) => {
     const low = data.low.get(each + "f")!, high = data.high.get(each + "f")!;

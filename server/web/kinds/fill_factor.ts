@@ -123,13 +123,17 @@ function drawing(slot: Result["details"]["slot"], chosen: () => Layout, follower
   const laid = (): number => Number(slider.value);
   /** The first wire that cannot be laid, from 1; beyond the last where all can. */
   const firstBad = (layout: Layout): number => Math.min(layout.count + 1, ...reasons(layout).map((each) => each.wire ?? Infinity));
+  const extent = () => {
+    const all = nothing();
+    if (shown() === chosen()) holdOutline(all, slot.outline);
+    for (const [x, y] of shown().positions) hold(all, x, y, chosen().wire.outer / 2);
+    return all;
+  };
   const plane = new Plane({
-    label: "", height: (width) => Math.min(520, Math.max(280, width * 0.95)),
-    extent: () => {
-      const extent = nothing();
-      if (shown() === chosen()) holdOutline(extent, slot.outline);
-      for (const [x, y] of shown().positions) hold(extent, x, y, chosen().wire.outer / 2);
-      return extent;
+    label: "", extent,
+    height: (width) => {
+      const { x0, y0, x1, y1 } = extent();
+      return Math.min(520, Math.max(220, (width * (y1 - y0)) / (x1 - x0 || 1) + 40));
     },
     draw({ context, colour, drew }, at) {
       const layout = chosen(), { wire } = layout, { positions, pulls } = shown(), inSlot = shown() === layout;
@@ -220,7 +224,7 @@ function drawing(slot: Result["details"]["slot"], chosen: () => Layout, follower
     regionField.hidden = names.length === 0;
     fill(heading, h("strong", {}, nameOf(layout.algorithm)), ` · ${t("wire_of", { copper: millimetres(layout.wire.copper), outer: millimetres(layout.wire.outer) })}`);
     fill(figuresBox, figures([t("wires"), layout.bound !== undefined ? t("wires_of_bound", { n: layout.count, bound: layout.bound }) : String(layout.count)], [t("electrical_fill"), fixedPercent(layout.electrical_fill)],
-      [t("mechanical_fill"), fixedPercent(layout.mechanical_fill)], layout.windable && [t("windable"), t("windable_of", { wires: layout.windable.wires, turns: layout.windable.turns })],
+      [t("mechanical_fill"), fixedPercent(layout.mechanical_fill)], layout.windable && [t("windable"), t("windable_of", { wires: layout.windable.wires, of: layout.count })],
       layout.turns?.fits && [t("coil"), t("coil_of", { serial: layout.turns.serial, parallel: layout.turns.parallel }) + (layout.turns.loss ? ` (${t("empty_places", { share: percent(layout.turns.loss) })})` : "")],
       layout.resistance_per_metre !== undefined && [t("resistance"), number(layout.resistance_per_metre, 4) + " Ω/m"]));
     const list = reasons(layout);

@@ -126,7 +126,7 @@ export async function mountWinding(section: HTMLElement, id: string, job: Planne
   section.append(axesTable(details.axes));
   if (details.access) {
     const { step, without_pivot_shift, with_pivot_shift } = details.access;
-    section.append(panel(t("access"), h("p", {}, t("access_note", { step: number(step) })), figures([t("access_straight"), percent(without_pivot_shift)], with_pivot_shift !== null && [t("access_swivelled"), percent(with_pivot_shift)]),
+    section.append(panel(t("access"), h("p", {}, t("access_note", { step: number(step, 2) })), figures([t("access_straight"), percent(without_pivot_shift)], with_pivot_shift !== null && [t("access_swivelled"), percent(with_pivot_shift)]),
       h("figure", { class: "plain" }, h("img", { src: at(`/jobs/${id}/drawings/clearance_map.svg`), alt: t("access_picture"), loading: "lazy" }))));
   }
 }
