@@ -24,14 +24,14 @@ test('two plans of one part: which is faster, where, at one cursor', async ({ se
   await page.locator('[data-verdict]').filter({ hasText: 'B takes' }).waitFor();
   await page.locator('#compare canvas').first().waitFor();
   await page.page.keyboard.press('ArrowRight');
-  await page.locator('.readout').filter({ hasText: 'Δt =' }).waitFor();
+  await page.locator('.told').filter({ hasText: 'Δt =' }).waitFor();
   await page.page.keyboard.press('+');
-  const link = page.page.url(), read = await page.locator('.readout').innerText();
+  const link = page.page.url(), read = await page.locator('.told').innerText();
   assert.match(link, /at=.*from=|from=.*at=/);
   await page.close();
   // The link carries everything.
   const again = await visit(link.slice(service.url.length));
-  await again.locator('.readout').filter({ hasText: read }).waitFor();
+  await again.locator('.told').filter({ hasText: read }).waitFor();
   assert.equal(await again.locator('#compare tr').filter({ hasText: 'duration' }).first().count(), 1);
   await again.close();
 });
@@ -39,7 +39,7 @@ test('two plans of one part: which is faster, where, at one cursor', async ({ se
 test('plans of different kinds, a job that is not there, and none chosen are told plainly', async ({ service, visit }) => {
   const a = (await service.planned('bracket.json')).id, b = (await service.planned('tolerance_boxes.json')).id;
   let page = await visit(`/compare?a=${a}&b=${b}`);
-  await page.locator('.note').filter({ hasText: 'different kinds' }).waitFor();
+  await page.locator('.remark').filter({ hasText: 'different kinds' }).waitFor();
   assert.equal(await page.locator('#compare canvas').count(), 0);
   await page.close();
   page = await visit(`/compare?a=${a}&b=nothing`, { expect: { status: [404] } });

@@ -105,11 +105,11 @@ async function show(answer: HTMLElement, a: Side, b: Side): Promise<void> {
     const seconds = mainDuration(side), passed = side.result?.verification?.passed;
     return h("div", { class: `panel side ${letter.toLowerCase()}` }, h("p", { class: "letter", "aria-hidden": "true" }, letter),
       h("div", {}, h("a", { href: at(`/jobs/${side.job.id}`) }, h("bdi", {}, nameOf(side.job))),
-        h("p", { class: "soft" }, `${side.job.kind} · `, passed === undefined ? side.job.state : t(passed ? "verified" : "not_verified")), seconds !== null ? h("p", { class: "big" }, duration(seconds)) : null));
+        h("p", { class: "soft" }, `${side.job.kind} · `, passed === undefined ? side.job.state : t(passed ? "verified" : "not_verified")), seconds !== null ? h("p", { class: "lasts" }, duration(seconds)) : null));
   };
   append(answer, h("p", { class: "lead", "data-verdict": true }, headline(a, b)), h("div", { class: "sides" }, card(a, "A"), card(b, "B")));
-  if (a.job.kind !== b.job.kind) append(answer, h("p", { class: "note" }, t("kinds_differ", { a: a.job.kind, b: b.job.kind })));
-  for (const [side, letter] of [[a, "A"], [b, "B"]] as const) if (!side.result) append(answer, h("p", { class: "note" }, t("no_result", { letter, state: side.job.state })));
+  if (a.job.kind !== b.job.kind) append(answer, h("p", { class: "remark" }, t("kinds_differ", { a: a.job.kind, b: b.job.kind })));
+  for (const [side, letter] of [[a, "A"], [b, "B"]] as const) if (!side.result) append(answer, h("p", { class: "remark" }, t("no_result", { letter, state: side.job.state })));
   const curves = h("div");
   append(answer, curves);
   if (a.result && b.result) append(answer, await figuresPanel(a, b));
@@ -205,7 +205,7 @@ async function curvesPanel(box: HTMLElement, a: Side, b: Side, left: Setpoints, 
   const xName = (): string => over === "path" ? (equal ? `${t("path_length")}, mm` : `${t("path_share")}, %`) : law ? `${t("master")}, ${law.unit}` : `${t("time")}, s`;
   const unitOfColumn = (name: string): string => common.find((each) => each.name === name)?.unit ?? "";
 
-  const readout = h("p", { class: "readout", role: "status" }), links = h("p", { class: "controls" }), charts: Chart[] = [], chartBox = h("div");
+  const readout = h("p", { class: "told", role: "status" }), links = h("p", { class: "controls" }), charts: Chart[] = [], chartBox = h("div");
   const gains = paths ? difference(one.along!, other.along!, 1000) : null;
   const moved = (): void => {
     for (const each of charts) each.move();
@@ -297,8 +297,8 @@ async function curvesPanel(box: HTMLElement, a: Side, b: Side, left: Setpoints, 
     keep();
   } }, h("option", { value: "path", selected: over === "path" }, t(equal ? "over_path" : "over_share")), h("option", { value: "time", selected: over === "time" }, t("over_time")));
   const button = (text: string, act: () => void): HTMLElement => h("button", { type: "button", click: act }, text);
-  append(box, panel(t("curves"), paths && !equal ? h("p", { class: "note" }, t("lengths_differ", { a: fixed(one.along!.length, 2), b: fixed(other.along!.length, 2) })) : null,
-    h("div", { class: "controls" }, paths ? h("label", { class: "field" }, t("over") + " ", axis) : null, h("label", { class: "field" }, t("second_curve") + " ", select), button(t("zoom_in"), () => zoom(0.5)), button(t("zoom_out"), () => zoom(2)), button(t("zoom_all"), () => show(whole()))),
+  append(box, panel(t("curves"), paths && !equal ? h("p", { class: "remark" }, t("lengths_differ", { a: fixed(one.along!.length, 2), b: fixed(other.along!.length, 2) })) : null,
+    h("div", { class: "controls" }, paths ? h("label", { class: "choice" }, t("over") + " ", axis) : null, h("label", { class: "choice" }, t("second_curve") + " ", select), button(t("zoom_in"), () => zoom(0.5)), button(t("zoom_out"), () => zoom(2)), button(t("zoom_all"), () => show(whole()))),
     legend({ colour: "--c0", name: "A" }, { colour: "--c1", name: "B" }, gains !== null && { colour: "--c2", name: t("gain_legend") }), chartBox, readout, links));
   if (gains) append(box, placesPanel());
   build();

@@ -118,7 +118,7 @@ export async function mountFillFactor(section: HTMLElement, id: string): Promise
 function drawing(slot: Result["details"]["slot"], chosen: () => Layout, followers: (() => void)[], start: number): HTMLElement {
   const slider = h("input", { type: "range", min: 0, max: 1, step: 1, "aria-label": t("laid_slider") });
   const count = h("output", { class: "laid" }), heading = h("p", { class: "lead" }), why = h("ul", { class: "reasons" }), figuresBox = h("div");
-  const region = h("select", { "aria-label": t("region") }), regionField = h("label", { class: "field" }, t("region") + " ", region);
+  const region = h("select", { "aria-label": t("region") }), regionField = h("label", { class: "choice" }, t("region") + " ", region);
   const shown = (): Region => (region.value && region.value !== "slot" ? (chosen().regions?.[region.value] ?? chosen()) : chosen());
   const laid = (): number => Number(slider.value);
   /** The first wire that cannot be laid, from 1; beyond the last where all can. */
@@ -283,7 +283,7 @@ function heatMap(layouts: Layout[], wires: Wire[], chosen: () => Layout, choose:
   measure.addEventListener("change", paint);
   paint();
   const head = h("tr", {}, h("th", { scope: "col", class: "n" }, "mm"), ...names.map((each) => h("th", { scope: "col" }, nameOf(each))));
-  return panel(t("map_heading"), h("p", { class: "soft" }, t("map_note")), h("label", { class: "field" }, t("measure") + " ", measure), h("div", { class: "scroll tall", tabindex: 0, role: "region", "aria-label": t("map_heading") }, h("table", { class: "map" }, h("thead", {}, head), body)));
+  return panel(t("map_heading"), h("p", { class: "soft" }, t("map_note")), h("label", { class: "choice" }, t("measure") + " ", measure), h("div", { class: "scroll tall", tabindex: 0, role: "region", "aria-label": t("map_heading") }, h("table", { class: "map" }, h("thead", {}, head), body)));
 }
 
 function list(layouts: Layout[], chosen: () => Layout, choose: (layout: Layout) => void, followers: (() => void)[]): HTMLElement {

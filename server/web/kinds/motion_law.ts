@@ -147,7 +147,7 @@ export async function mountMotionLaw(section: HTMLElement, id: string, job: Plan
     }));
     const limits = spec.spec.points.some((point) => typeof point.section === "object" && point.section) || drive !== undefined;
     section.append(panel(t("law_curves"), legend({ colour: "--c0", name: t("law_this") }, { colour: "--c1", name: t("law_value"), kind: "dot" },
-      { colour: "--c1", name: t("law_range"), kind: "box" }, limits && { colour: "--c6", name: t("law_limit") }, classical.length > 0 && { colour: "--rapid", name: t("law_classical"), kind: "dashed" }), classical.length > 0 ? h("label", { class: "field" }, shown, t("law_show_classical")) : null, ...charts.map((each) => each.element)));
+      { colour: "--c1", name: t("law_range"), kind: "box" }, limits && { colour: "--c6", name: t("law_limit") }, classical.length > 0 && { colour: "--rapid", name: t("law_classical"), kind: "dashed" }), classical.length > 0 ? h("label", { class: "choice" }, shown, t("law_show_classical")) : null, ...charts.map((each) => each.element)));
     follow(job, charts);
     for (const each of charts) each.redraw();
   }

@@ -13,7 +13,7 @@ import { mountWinding } from "./winding";
  *  has no setpoints. */
 export function mountKind(section: HTMLElement, kind: string, id: string, job: PlannedJob | null): void {
   const mounts: Record<string, () => Promise<void>> = {
-    contour: async () => (job ? mountCoarseFine(section, id, job) : undefined),
+    ...(job?.columns.includes("xc") || job?.columns.includes("yc") ? { contour: () => mountCoarseFine(section, id, job!) } : {}),
     fill_factor: () => mountFillFactor(section, id),
     motion_law: () => mountMotionLaw(section, id, job),
     probe_path: () => mountProbePath(section, id, job),
@@ -21,9 +21,13 @@ export function mountKind(section: HTMLElement, kind: string, id: string, job: P
   };
   const mount = mounts[kind];
   if (!mount) return;
+  const waiting = h("p", { class: "soft" }, t("loading"));
+  section.append(waiting); // An empty section has no place on the page, and would never be seen.
   whenSeen(section, () => {
-    mount().catch((error: unknown) => {
-      section.append(h("p", { class: "error" }, error instanceof Refused ? `${error.problem.title}: ${error.message}` : t("lost")));
-    });
+    mount()
+      .catch((error: unknown) => {
+        section.append(h("p", { class: "error" }, error instanceof Refused ? `${error.problem.title}: ${error.message}` : t("lost")));
+      })
+      .finally(() => waiting.remove());
   });
 }

@@ -14,14 +14,14 @@ type Content = Node | string | number | null | undefined | false;
 
 /** Returns key figures: a large value above its name. */
 export function figures(...list: ([string, string] | null | false | undefined)[]): HTMLElement {
-  const element = h("dl", { class: "figures" });
+  const element = h("dl", { class: "key-figures" });
   for (const each of list) if (each) element.append(h("div", {}, h("dt", {}, each[0]), h("dd", {}, each[1])));
   return element;
 }
 
 /** Returns a legend: the colour of each curve and its name. */
 export function legend(...list: ({ colour: string; name: string; kind?: "line" | "dashed" | "box" | "dot" } | null | false)[]): HTMLElement {
-  const element = h("p", { class: "legend" });
+  const element = h("p", { class: "marks" });
   for (const each of list) {
     if (!each) continue;
     const mark = h("i", { class: `mark ${each.kind ?? "line"}`, "aria-hidden": "true" });

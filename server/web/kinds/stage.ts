@@ -38,7 +38,7 @@ export class Stage {
   constructor(private options: StageOptions) {
     this.canvas = h("canvas", { role: "img", "aria-label": options.label, ...(options.focusable ? { tabindex: 0 } : {}) });
     this.above = options.over ? h("canvas", { class: "above", "aria-hidden": "true" }) : null;
-    this.element = h("div", { class: "stage" }, this.canvas, this.above);
+    this.element = h("div", { class: "drawing" }, this.canvas, this.above);
     if (typeof ResizeObserver !== "undefined") new ResizeObserver(() => this.redraw()).observe(this.element);
     stages.add(new WeakRef(this));
   }

@@ -136,7 +136,7 @@ const nameOfBody = (name: string): string => (name in bodyNames ? t(bodyNames[na
 
 /** One line over time with the colour of the region in which wire is laid. */
 function ribbon(list: Stretch[], turns: Turn[], job: PlannedJob): HTMLElement {
-  const shared = followed(job, 0, job.cycle), readout = h("p", { class: "readout", role: "status" }, " "), left = 12, right = 12;
+  const shared = followed(job, 0, job.cycle), readout = h("p", { class: "told", role: "status" }, " "), left = 12, right = 12;
   const at = (seconds: number): Stretch | undefined => list.find((each) => seconds >= each.from && seconds <= each.to);
   const stage: Stage = new Stage({
     label: t("ribbon_picture"), height: 74,
