@@ -143,7 +143,7 @@ function headline(a: Side, b: Side): string {
 }
 
 async function figuresPanel(a: Side, b: Side): Promise<HTMLElement> {
-  const same = a.job.kind === b.job.kind, list = compareFigures(["summary", "bound"], a.result!, b.result!).filter((each) => same || (each.a !== null && each.b !== null));
+  const same = a.job.kind === b.job.kind, list = compareFigures(["summary", "bound"], a.result!, b.result!).filter((each) => each.name !== "basis" && (same || (each.a !== null && each.b !== null)));
   const unit = await getJson<Parameters<typeof unitOf>[0]>(`/v1/schemas/${a.job.kind}.result`).then((schema) => (each: Figure) => unitOf(schema, each.path.split(".")), () => () => "");
   const value = (each: unknown): string => (typeof each === "number" ? number(each) : typeof each === "boolean" ? t(each ? "yes" : "no") : each === null ? "–" : String(each).replace(/_/g, " "));
   const row = (each: Figure): (string | Node)[] => {
