@@ -7,7 +7,7 @@ const { pick } = await load('path/picking.ts');
 const { PlaneView } = await load('path/projection.ts');
 const { sequential, speedRange, colouring, steps } = await load('path/colours.ts');
 const { chordsByColour } = await load('path/drawing.ts');
-const { needsPart } = await load('path/source.ts');
+const { needsPart, partQuery, addIntervals } = await load('path/source.ts');
 
 // row, begin, x, y, v, mode: a rapid to (10, 0), a cut to (10, 10), another polyline from row 400.
 const vertices = [[0, 1, 0, 0, 0, 0], [100, 0, 10, 0, 900, 0], [300, 0, 10, 10, 50, 1], [400, 1, 20, 20, 50, 1], [4000000000, 0, 30, 20, 100, 1]];
@@ -91,4 +91,18 @@ test('a part is asked for where half a pixel is exceeded, and not again within i
   assert.equal(needsPart(whole, part, box, 10), false);
   assert.equal(needsPart(whole, part, [0, 0, 12, 10], 10), true);
   assert.equal(needsPart(whole, part, [1, 1, 1.5, 1.5], 1000), true);
+});
+
+test('a part is asked for within half a pixel, by levels as far as they go, and never for too many vertices', () => {
+  const box = [0, 0, 30, 30];
+  assert.equal(partQuery({ ...path, tolerance: 1 }, box, 4), 'tolerance=0.1250');
+  assert.equal(partQuery({ ...path, tolerance: 1 }, box, 40), 'points=1200');
+  const dense = { count: 12000, x: new Float32Array(12000).fill(5), y: new Float32Array(12000).fill(5), tolerance: 0.2 };
+  assert.equal(partQuery(dense, box, 4), 'tolerance=0.8000');
+});
+
+test('a chord has the limit of the interval in which its middle row lies', () => {
+  const coloured = { ...path, columns: {} };
+  addIntervals(coloured, [0, 60, 250, 1000], { limit: [4, 5, 6, 7] });
+  assert.deepEqual([...coloured.columns.limit], [4, 4, 5, 6, 7]);
 });

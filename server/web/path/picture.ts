@@ -245,7 +245,7 @@ export class Picture {
     if (!whole) return;
     if (scale < 1.3 * this.fitScale() || !needsPart(whole, this.part, box, scale)) return this.source.stop();
     try {
-      const part = await this.source.part(grown(box, 0.15), scale, this.by);
+      const part = await this.source.part(whole, grown(box, 0.15), scale, this.by);
       if (!part || this.whole !== whole) return;
       this.part = part;
       this.redraw();

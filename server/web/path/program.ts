@@ -102,7 +102,7 @@ export class Program {
     this.visits = [];
     for (const entry of page.blocks) {
       const number = entry.line ?? entry.source ?? entry.segment, last = this.visits[this.visits.length - 1];
-      if (last && entry.line !== undefined && last.number === number && last.mode === entry.mode) {
+      if (last && last.number === number && last.mode === entry.mode) {
         last.end = row(entry.end_time);
         last.length += entry.length;
         last.time += entry.time;
