@@ -7,7 +7,7 @@ const program = {
   kind: 'contour',
   name: 'rectangle',
   spec: {
-    contour: { gcode: 'G90 G71\nG0 X0 Y30\nG0 X50\nG0 Y0\nG1 X100 F6000\nG1 Y60\nG1 X0\nG1 Y0\nG1 X50\nM2\n' },
+    contour: { gcode: 'G90 G21\nG0 X0 Y30\nG0 X50\nG0 Y0\nG1 X100 F6000\nG1 Y60\nG1 X0\nG1 Y0\nG1 X50\nM2\n' },
     machine: { kinematics: 'cartesian', axes: { x: axis, y: axis }, cycle_time: 0.001 },
     planning: { method: 'time_optimal' },
   },

@@ -14,6 +14,8 @@ import type { SpaceCanvas } from "./space_canvas";
 import { grown, needsPart, type Box, type Part, type PathSource } from "./source";
 import { t } from "./words";
 
+// Thousands of thin chords are a matter for the processor: where a browser emulates graphics hardware, that takes seconds.
+const drawnByProcessor: CanvasRenderingContext2DSettings = { willReadFrequently: true };
 const settleAfter = 70, fetchAfter = 120; // ms after the last move
 
 export interface PictureEvents {
@@ -279,7 +281,7 @@ export class Picture {
       this.three.setPath(path, colours, this.shown, this.scheme);
       countSegments("path", this.three.show(this.space, false));
     } else {
-      const pen = this.base.getContext("2d")!;
+      const pen = this.base.getContext("2d", drawnByProcessor)!;
       pen.setTransform(this.density, 0, 0, this.density, 0, 0);
       pen.clearRect(0, 0, this.size.width, this.size.height);
       const matrix = this.plane.matrix();
@@ -297,7 +299,7 @@ export class Picture {
   }
   private drawLayer(): void {
     if (this.size.width === 0 || !this.whole) return;
-    const pen = this.layer.getContext("2d")!;
+    const pen = this.layer.getContext("2d", drawnByProcessor)!;
     pen.setTransform(this.density, 0, 0, this.density, 0, 0);
     pen.clearRect(0, 0, this.size.width, this.size.height);
     drawScaleBar(pen, this.view.scale, this.size, this.scheme);
