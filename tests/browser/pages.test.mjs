@@ -24,17 +24,37 @@ const pages = {
   'a strange name': job(strange),
   'a failed job': failed,
   'a problem': async () => '/problems/infeasible',
+  'the form': async () => '/new',
+  'the form of a job': async (service) => `/new?from=${(await service.planned('bracket.json')).id}`,
+  'a comparison': async (service) => `/compare?a=${(await service.planned('bracket.json')).id}&b=${(await service.planned('line.json')).id}`,
+  'a comparison of nothing': async () => '/compare',
+  'a page that does not exist': async () => '/nowhere',
 };
+
+async function visitAll(visit, path, options = {}) {
+  for (const variant of variants) {
+    const page = await visit(path, { ...variant, ...options });
+    await page.quiet();
+    assert.equal(await page.locator('html').getAttribute('lang'), variant.lang);
+    await page.expectNoSidewaysScroll();
+    await page.axe();
+    await page.close();
+  }
+}
 
 for (const [name, path] of Object.entries(pages))
   test(name, async ({ service, visit }) => {
     const address = await path(service);
-    for (const variant of variants) {
-      const page = await visit(address, variant);
-      await page.quiet();
-      assert.equal(await page.locator('html').getAttribute('lang'), variant.lang);
-      await page.expectNoSidewaysScroll();
-      await page.axe();
-      await page.close();
-    }
+    await visitAll(visit, address, address === '/nowhere' ? { expect: { status: [404] } } : {});
   });
+
+test('the first open', async ({ own, visit }) => visitAll(visit, '/', { service: await own() }));
+
+// What cannot be used on paper is not printed.
+test('a job on paper', async ({ service, visit }) => {
+  const page = await visit(await job('bracket.json')(service), { scheme: 'dark' });
+  await page.quiet();
+  await page.page.emulateMedia({ media: 'print' });
+  assert.ok(await page.locator('[data-verdict]').isVisible());
+  assert.equal(await page.locator('button').filter({ visible: true }).count(), 0, 'buttons on paper');
+});
