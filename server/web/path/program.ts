@@ -5,7 +5,7 @@ export interface Entry {
   segment: number;
   line?: number; // of a program
   source?: number; // segment of a document without one
-  text: string | null;
+  text?: string | null;
   mode: "cut" | "position";
   start_time: number;
   end_time: number;
