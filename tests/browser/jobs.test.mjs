@@ -30,6 +30,8 @@ test('more than a page of jobs comes by itself, and follows what changes', async
   const service = await own('--workers', '0');
   for (let i = 0; i < 60; ++i) await service.post(line({ name: `part ${i}` }));
   const page = await visit('/', { service });
+  await shown(page, 50);
+  await page.locator('#more').scrollIntoViewIfNeeded();
   await shown(page, 60);
   await page.locator('tbody tr').last().filter({ hasText: 'part 0' }).waitFor();
   await page.locator('tbody tr').last().locator('.status').filter({ hasText: 'next' }).waitFor();
