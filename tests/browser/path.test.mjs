@@ -96,8 +96,8 @@ test('a playback goes to the last row and ends', async ({ service, visit }) => {
   assert.match(await page.locator('.path-readout').innerText(), /x 50\.000 · y 0\.000/);
   await page.locator('#play-by').selectOption('line');
   await page.locator('#play').click();
-  await page.locator('.path-lines li[aria-current]', { hasText: 'G0 X50' }).waitFor();
-  await page.locator('#play').click();
+  await page.locator('#play[aria-pressed=false]').waitFor();
+  await page.locator('.path-lines li[aria-current]', { hasText: 'G1 X50' }).waitFor();
 });
 
 test('each colouring has its legend, and stands in the address', async ({ service, visit }) => {
