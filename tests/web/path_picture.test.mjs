@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from './support.mjs';
 
-const { readPath, placeAt, vertexBefore, extentsOf, endedBy } = await load('path/path_data.ts');
+const { readPath, chordSpeeds, placeAt, vertexBefore, extentsOf, endedBy } = await load('path/path_data.ts');
 const { pick } = await load('path/picking.ts');
 const { PlaneView } = await load('path/projection.ts');
 const { sequential, speedRange, colouring, steps } = await load('path/colours.ts');
@@ -18,6 +18,7 @@ function bytes(list) {
   return out;
 }
 const path = readPath(names, bytes(vertices), 0.01);
+path.columns.speed = Float32Array.from([0, 900, 50, 0, 100]);
 const size = { width: 400, height: 400 }, plane = new PlaneView(size, 15, 10, 10);
 
 test('rows of an answer are whole numbers of four bytes, everything else floats', () => {
@@ -66,8 +67,7 @@ test('the scale spans the speeds of the cuts, and rapids are grey', () => {
   const palette = { dark: false, rapid: 'grey', other: 'other', distinct: ['a', 'b', 'c'] };
   const { kind, colours } = colouring(path, 'speed', palette, [50, 100], new Map());
   assert.equal(colours[kind[1]], 'grey');
-  assert.equal(kind[3], 2);
-  assert.equal(kind[4], 2 + Math.round(0.5 * (steps - 1)));
+  assert.deepEqual([kind[2], kind[4]], [2, 2 + steps - 1]);
   const limited = { ...path, columns: { ...path.columns, limit: Float32Array.from([7, 7, 3, 3, 9]) } };
   const byLimit = colouring(limited, 'limit', palette, [0, 1], new Map([[7, 'blue'], [3, 'red']]));
   assert.deepEqual([1, 2, 4].map((i) => byLimit.colours[byLimit.kind[i]]), ['blue', 'red', 'other']);
@@ -105,4 +105,9 @@ test('a chord has the limit of the interval in which its middle row lies', () =>
   const coloured = { ...path, columns: {} };
   addIntervals(coloured, [0, 60, 250, 1000], { limit: [4, 5, 6, 7] });
   assert.deepEqual([...coloured.columns.limit], [4, 4, 5, 6, 7]);
+});
+
+test('the speed of a chord is its length by its time', () => {
+  const speeds = chordSpeeds(path, 0.001);
+  assert.deepEqual([...speeds].slice(0, 4), [0, 100, 50, 0]);
 });

@@ -28,13 +28,13 @@ export const steps = 24;
 
 /** Range of the speeds of cuts, mm/s, which the scale spans: rapids would drown it. Without cuts it is that of all. */
 export function speedRange(path: PathData): [number, number] {
-  const { v, mode } = path.columns;
+  const { speed, mode } = path.columns;
   let low = Infinity, high = 0;
   const take = (all: boolean): void => {
     for (let i = 0; i < path.count; ++i)
-      if (all || !mode || mode[i]! > 0.5) {
-        low = Math.min(low, v?.[i] ?? 0);
-        high = Math.max(high, v?.[i] ?? 0);
+      if (i > 0 && !path.begin[i] && (all || !mode || mode[i]! > 0.5)) {
+        low = Math.min(low, speed?.[i] ?? 0);
+        high = Math.max(high, speed?.[i] ?? 0);
       }
   };
   take(false);
@@ -65,13 +65,12 @@ export function colouring(
 ): Colouring {
   const kind = new Uint16Array(path.count);
   const colours: string[] = [palette.rapid, palette.other];
-  const { v, use, limit, block, line } = path.columns;
+  const { speed, use, limit, block, line } = path.columns;
   if (by === "speed" || by === "use") {
     for (let k = 0; k < steps; ++k) colours.push(css(sequential(k / (steps - 1), palette.dark)));
     const [low, high] = by === "use" ? [0, 1] : speeds;
     for (let i = 0; i < path.count; ++i) {
-      // A chord has the mean of its ends.
-      const value = by === "use" ? use?.[i] ?? 0 : i > 0 && !path.begin[i] ? (v![i - 1]! + v![i]!) / 2 : v?.[i] ?? 0;
+      const value = (by === "use" ? use?.[i] : speed?.[i]) ?? 0;
       const share = high > low ? (value - low) / (high - low) : 1;
       kind[i] = by === "speed" && isRapid(path, i) ? 0 : 2 + Math.max(0, Math.min(steps - 1, Math.round(share * (steps - 1))));
     }

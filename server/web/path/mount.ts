@@ -56,7 +56,7 @@ class PathPanel {
 
   constructor(section: HTMLElement, private readonly job: PlannedJob) {
     const lines = job.kind === "contour", state = readAddress();
-    this.picture = new Picture(new PathSource(job.id, "tool", lines), job.rows, {
+    this.picture = new Picture(new PathSource(job.id, "tool", lines, job.seconds), job.rows, {
       hover: (row) => !this.player.clock.playing && job.view.point(row),
       pick: (row) => this.picked(row),
       moved: () => this.remember(),
@@ -181,7 +181,7 @@ class PathPanel {
       type: "checkbox", id: "path-coarse",
       change: () => {
         if (!box.checked) return this.picture.setCoarse(null);
-        coarse ??= new PathSource(this.job.id, "coarse", false).whole("speed");
+        coarse ??= new PathSource(this.job.id, "coarse", false, this.job.seconds).whole("speed");
         coarse.then((path) => box.checked && this.picture.setCoarse(path), (error) => this.fail(error));
       },
     });

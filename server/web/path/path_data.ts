@@ -79,3 +79,12 @@ export function endedBy(last: ArrayLike<number>, value: number): number {
   }
   return low;
 }
+
+/** Returns the mean speed on the chord to each vertex, mm/s: the speed at vertices would be that of corners. `cycle`: time from row to row, s. */
+export function chordSpeeds(path: PathData, cycle: number): Float32Array {
+  const out = new Float32Array(path.count);
+  for (let i = 1; i < path.count; ++i)
+    if (!path.begin[i])
+      out[i] = Math.hypot(path.x[i]! - path.x[i - 1]!, path.y[i]! - path.y[i - 1]!, path.z[i]! - path.z[i - 1]!) / ((path.rows[i]! - path.rows[i - 1]!) * cycle);
+  return out;
+}

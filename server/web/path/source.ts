@@ -1,7 +1,7 @@
 /** Where the picture of a path has its vertices from: the whole path once, and a part of it finer, when a part is looked at closely. */
 import { ask, getColumns } from "../base/api";
 import type { ColourBy } from "./colours";
-import { endedBy, readPath, type PathData } from "./path_data";
+import { chordSpeeds, endedBy, readPath, type PathData } from "./path_data";
 
 export type Box = readonly [number, number, number, number]; // x0, y0, x1, y1, mm
 
@@ -62,7 +62,7 @@ export class PathSource {
   private all: Promise<PathData> | null = null;
   private colours: Promise<void> | null = null;
   /** `of`: tool or coarse; of a winding the tool's path is that in the frame of its part; `hasLines`: whether the job has blocks of a program or document. */
-  constructor(private readonly id: string, readonly of: string, private readonly hasLines: boolean) {}
+  constructor(private readonly id: string, readonly of: string, private readonly hasLines: boolean, private readonly cycle: number) {}
 
   private columns(by: ColourBy): string {
     return ["v", "mode", ...(this.hasLines ? ["block", "line"] : []), ...(by === "limit" || by === "use" ? [by] : [])].join(",");
@@ -71,7 +71,9 @@ export class PathSource {
     const address = `/v1/jobs/${this.id}/path?format=f32&of=${this.of}&columns=${this.columns(by)}&${query}`;
     const response = await ask(address, { headers: { Accept: "application/octet-stream" }, ...(signal ? { signal } : {}) });
     const names = (response.headers.get("X-Columns") ?? "").split(",");
-    return readPath(names, await response.arrayBuffer(), Number(response.headers.get("X-Tolerance") ?? 0));
+    const path = readPath(names, await response.arrayBuffer(), Number(response.headers.get("X-Tolerance") ?? 0));
+    path.columns.speed = chordSpeeds(path, this.cycle);
+    return path;
   }
   /** Returns the whole path. Its limits and uses are asked for where it is coloured by them, and are those of intervals. */
   async whole(by: ColourBy): Promise<PathData> {
