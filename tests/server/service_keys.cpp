@@ -59,6 +59,7 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"GET /healthz", 200},
                                          {"GET /readyz", 200},
                                          {"GET /metrics", 200},
+                                         {"GET /assets/{version}/{name}", 404},  // of another version
                                          {"GET /", 200},
                                          {"GET /jobs", 200},
                                          {"GET /new", 200},
@@ -115,6 +116,7 @@ TEST_F(ServiceKeysTest, EveryRouteAsksWhoItIs) {
                      : route.pattern.starts_with("/v1/machines") ? "robot"
                                                                  : "plan.svg");
       fill("{slug}", "not-found");
+      fill("{version}", "0");
       Pairs headers;
       if (route.access == Access::page) headers = {{"Accept", "text/html,image/svg+xml"}};
       const bool posts = name == "POST /v1/jobs" || name == "POST /v1/check";
