@@ -274,7 +274,7 @@ function heatMap(layouts: Layout[], wires: Wire[], chosen: () => Layout, choose:
       fill(button, shown, layout.producible ? null : h("span", { class: "bad" }, " ✕"));
       button.style.backgroundColor = `color-mix(in srgb, var(--c0) ${(4 + 46 * share).toFixed(0)}%, var(--back))`;
       button.title = `${nameOf(layout.algorithm)}, ${millimetres(layout.wire.copper)}: ${layout.count}` + (layout.producible ? "" : " · " + (reasons(layout)[0]?.text ?? t("not_producible")));
-      button.setAttribute("aria-label", button.title + (measure.value === "wires" ? "" : `, ${fixedPercent(value(layout))}`));
+      button.setAttribute("aria-label", `${button.textContent} · ${button.title}` + (measure.value === "wires" ? "" : `, ${fixedPercent(value(layout))}`));
     }
   };
   followers.push(() => {
