@@ -26,29 +26,12 @@ void throw_if_short_of_memory(std::size_t code) {
   if (ZSTD_getErrorCode(code) == ZSTD_error_memory_allocation) throw std::bad_alloc();
 }
 
-/// Compresses pieces of up to `most` bytes, each to a frame of its own.
-class Compressor {
- public:
-  explicit Compressor(std::size_t most)
-      : context_(ZSTD_createCCtx(), ZSTD_freeCCtx), room_(ZSTD_compressBound(most)), frame_(new char[room_]) {
-    if (!context_) throw std::bad_alloc();
-  }
-  /// Appends a frame to `out`. What `out` takes is the frames, not the room that they needed while they were made.
-  void append(const void* data, std::size_t size, std::string& out) {
-    const std::size_t written = ZSTD_compressCCtx(context_.get(), frame_.get(), room_, data, size, level);
-    throw_if_short_of_memory(written);
-    if (ZSTD_isError(written)) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(written));
-    out.append(frame_.get(), written);
-  }
-
- private:
-  std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context_;
-  std::size_t room_;
-  std::unique_ptr<char[]> frame_;
-};
-
+/// A thread keeps what zstd needs for unpacking, 160 kB: to allocate it takes longer than to unpack a part of a view.
 void decompress(std::string_view packed, void* out, std::size_t size) {
-  const std::size_t read = ZSTD_decompress(out, size, packed.data(), packed.size());
+  thread_local std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(nullptr, ZSTD_freeDCtx);
+  if (!context) context.reset(ZSTD_createDCtx());
+  if (!context) throw std::bad_alloc();
+  const std::size_t read = ZSTD_decompressDCtx(context.get(), out, size, packed.data(), packed.size());
   throw_if_short_of_memory(read);
   if (ZSTD_isError(read) || read != size) damaged();
 }
@@ -71,11 +54,40 @@ std::uint64_t unzigzag(std::uint64_t v) { return (v >> 1) ^ (0 - (v & 1)); }
 
 }  // namespace
 
-std::string pack_text(std::string_view text) {
+/// Compresses pieces, each to a frame of its own.
+class Compressor::Frames {
+ public:
+  Frames() : context_(ZSTD_createCCtx(), ZSTD_freeCCtx) {
+    if (!context_) throw std::bad_alloc();
+  }
+  /// Appends a frame to `out`. What `out` takes is the frames, not the room that they needed while they were made.
+  void append(const void* data, std::size_t size, std::string& out) {
+    if (const std::size_t room = ZSTD_compressBound(size); room > room_) {
+      frame_.reset();
+      frame_.reset(new char[room]);
+      room_ = room;
+    }
+    const std::size_t written = ZSTD_compressCCtx(context_.get(), frame_.get(), room_, data, size, level);
+    throw_if_short_of_memory(written);
+    if (ZSTD_isError(written)) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(written));
+    out.append(frame_.get(), written);
+  }
+
+ private:
+  std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context_;
+  std::size_t room_ = 0;
+  std::unique_ptr<char[]> frame_;
+};
+
+Compressor::Compressor() : frames_(std::make_unique<Frames>()) {}
+Compressor::~Compressor() = default;
+
+std::string pack_text(std::string_view text) { return Compressor().text(text); }
+
+std::string Compressor::text(std::string_view text) {
   std::string out;
-  Compressor compressor(std::min(text.size(), text_piece));
   if (text.size() <= text_piece) {
-    compressor.append(text.data(), text.size(), out);
+    frames_->append(text.data(), text.size(), out);
     return out;
   }
   const std::size_t frames = (text.size() + text_piece - 1) / text_piece;
@@ -87,7 +99,7 @@ std::string pack_text(std::string_view text) {
   for (std::size_t k = 0; k < frames; ++k) {
     const std::string_view piece = text.substr(k * text_piece, text_piece);
     const std::size_t begin = out.size();
-    compressor.append(piece.data(), piece.size(), out);
+    frames_->append(piece.data(), piece.size(), out);
     put(index_fixed + k * sizeof(std::uint32_t), static_cast<std::uint32_t>(out.size() - begin));
   }
   return out;
@@ -120,7 +132,7 @@ std::string unpack_text(std::string_view packed) {
   return out;
 }
 
-std::string pack_rows(const double* values, std::size_t rows, std::size_t columns) {
+std::string Compressor::rows(const double* values, std::size_t rows, std::size_t columns) {
   if (rows > max_rows) throw std::invalid_argument("too many rows for one chunk");
   // Plane (column, byte): the byte of weight 2^(8 byte) of every row's zigzagged second difference.
   std::vector<unsigned char> planes(4 + rows * columns * 8);
@@ -139,7 +151,7 @@ std::string pack_rows(const double* values, std::size_t rows, std::size_t column
     }
   }
   std::string out;
-  Compressor(planes.size()).append(planes.data(), planes.size(), out);
+  frames_->append(planes.data(), planes.size(), out);
   return out;
 }
 

@@ -44,7 +44,7 @@ class Packer {
         stored_(first),
         progress_(progress),
         views_({source_.columns(), source_.count(), source_.cycle_time(), planned.view_facts},
-               [this](api::ViewPart part) { piece_.views.push_back(packed(std::move(part))); }) {}
+               [this](api::ViewPart part) { piece_.views.push_back(packed(std::move(part), compressor_)); }) {}
 
   /// Returns the next piece; `last` becomes true with the last one.
   Piece next(bool& last) {
@@ -58,7 +58,7 @@ class Packer {
       source_.read(row_, rows, values_.data());
       views_.add(rows, values_.data());
       if (row_ >= stored_) {
-        piece_.chunks.push_back({row_, rows, pack_rows(values_.data(), rows, columns)});
+        piece_.chunks.push_back({row_, rows, compressor_.rows(values_.data(), rows, columns)});
         bytes += piece_.chunks.back().packed.size();
       }
       row_ += rows;
@@ -72,6 +72,7 @@ class Packer {
   const SetpointSource& source_;
   std::size_t stored_;
   Progress& progress_;
+  Compressor compressor_;
   Piece piece_;
   api::Views views_;
   std::size_t row_ = 0;

@@ -6,8 +6,8 @@
 
 namespace bahnwerk::server {
 
-api::ViewPart packed(api::ViewPart part) {
-  part.bytes = pack_text(part.bytes);
+api::ViewPart packed(api::ViewPart part, Compressor& compressor) {
+  part.bytes = compressor.text(part.bytes);
   return part;
 }
 
@@ -30,8 +30,9 @@ std::optional<std::string> SqliteStore::read_view(const SeriesInfo& series, std:
 void SqliteStore::put_views(const SeriesInfo& series, const std::vector<api::ViewPart>& parts, bool last) {
   std::vector<api::ViewPart> all;
   Writer::Bytes bytes = Writer::row;
+  Compressor compressor;
   for (const api::ViewPart& part : parts) {
-    all.push_back(packed(part));
+    all.push_back(packed(part, compressor));
     bytes += all.back().bytes.size() + view_row;
   }
   const bool stored = write_flag(

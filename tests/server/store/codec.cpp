@@ -25,7 +25,7 @@ TEST(PackRows, IsLosslessForAnyBits) {
       for (double& value : values) value = std::bit_cast<double>(random());
       values.front() = -0.0;
       values.back() = std::numeric_limits<double>::quiet_NaN();
-      unpack_rows(pack_rows(values.data(), rows, columns), columns, back);
+      unpack_rows(Compressor().rows(values.data(), rows, columns), columns, back);
       expect_same_bits(values, back);
     }
   }
@@ -38,15 +38,30 @@ TEST(PackRows, MakesSmoothSeriesSmall) {
     const double t = 0.001 * static_cast<double>(k);
     values.insert(values.end(), {100 * std::sin(t), 100 * std::cos(t), 4.0});
   }
-  const std::string packed = pack_rows(values.data(), rows, columns);
+  const std::string packed = Compressor().rows(values.data(), rows, columns);
   EXPECT_LT(packed.size(), values.size() * 8 / 2);
   unpack_rows(packed, columns, back);
   expect_same_bits(values, back);
 }
 
+// What a compressor makes does not depend on what it made before.
+TEST(Compressor, PacksOneAfterTheOther) {
+  std::vector<double> values(4096 * 10), back;
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = std::sin(1e-4 * static_cast<double>(k));
+  Compressor one;
+  for (const std::size_t size : {std::size_t{0}, std::size_t{17}, 3 * text_piece, std::size_t{900}}) {
+    const std::string text(size, 'x'), packed = one.rows(values.data(), 4096, 10);
+    EXPECT_EQ(packed, Compressor().rows(values.data(), 4096, 10));
+    unpack_rows(packed, 10, back);
+    expect_same_bits(values, back);
+    EXPECT_EQ(one.text(text), pack_text(text));
+    EXPECT_EQ(unpack_text(pack_text(text)), text);
+  }
+}
+
 TEST(UnpackRows, RefusesDamage) {
   std::vector<double> values(300, 1.5), back;
-  const std::string packed = pack_rows(values.data(), 100, 3);
+  const std::string packed = Compressor().rows(values.data(), 100, 3);
   EXPECT_THROW(unpack_rows(packed, 4, back), std::runtime_error);
   EXPECT_THROW(unpack_rows("", 3, back), std::runtime_error);
   EXPECT_THROW(unpack_rows(packed.substr(0, packed.size() - 1), 3, back), std::runtime_error);
@@ -112,7 +127,7 @@ TEST(PackText, DamagedIndicesAreRefused) {
 
 TEST(PackRows, TakesNoMoreMemoryThanItsResult) {
   const std::vector<double> rest(4096 * 12, 10.0);
-  const std::string packed = pack_rows(rest.data(), 4096, 12);
+  const std::string packed = Compressor().rows(rest.data(), 4096, 12);
   EXPECT_LT(packed.size(), 1000U);
   EXPECT_LT(packed.capacity(), 2000U);
 }

@@ -168,7 +168,7 @@ void write_version_3(const std::filesystem::path& path) {
   const std::string document = pack_text(R"({"n":3})"), result = pack_text(R"({"kind":"ramp"})");
   std::vector<double> rows(20);
   Ramp(10).read(0, 10, rows.data());
-  const std::string packed = pack_rows(rows.data(), 10, 2);
+  const std::string packed = Compressor().rows(rows.data(), 10, 2);
   for (std::int64_t seq = 1; seq <= 5; ++seq)
     (connection.query("INSERT INTO specs (seq, spec, whole) VALUES (?, ?, 1)") << seq).blob(document).run();
   connection
