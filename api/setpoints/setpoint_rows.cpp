@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -205,20 +206,21 @@ class EnvelopeTable {
     std::map<std::size_t, std::vector<double>> ends;  // rows between the interval's ends and whole cells
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const std::size_t column = columns_[i];
+      const std::string& name = series_.columns[column].name;
+      const std::function<LeastAndMost(std::size_t, std::size_t)> rest = [&](std::size_t from, std::size_t to) {
+        std::vector<double>& rows = ends[from];
+        if (rows.empty()) series_.read(from, to - from, rows);
+        LeastAndMost values;
+        for (std::size_t k = column; k < rows.size(); k += series_.columns.size()) values.add(rows[k]);
+        return values;
+      };
       for (std::size_t b = 0; b < buckets(); ++b) {
         if (is_limit(column)) {
           const auto most = static_cast<double>(most_frequent(series_.limits->count(bounds_[b], bounds_[b + 1])));
           put(b, i, {most, most});
-          continue;
+        } else {
+          put(b, i, reader.of(name, bounds_[b], bounds_[b + 1], rest));
         }
-        put(b, i,
-            reader.of(series_.columns[column].name, bounds_[b], bounds_[b + 1], [&](std::size_t from, std::size_t to) {
-              std::vector<double>& rows = ends[from];
-              if (rows.empty()) series_.read(from, to - from, rows);
-              LeastAndMost values;
-              for (std::size_t k = column; k < rows.size(); k += series_.columns.size()) values.add(rows[k]);
-              return values;
-            }));
       }
     }
   }
