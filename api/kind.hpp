@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "api/scene.hpp"
 #include "api/setpoints/result_files.hpp"
 
 namespace bahnwerk {
@@ -53,7 +54,11 @@ struct Kind {
   /// Returns what the views of setpoints need of a spec that was planned (api/views/view_facts.hpp); nullptr where
   /// the kind has no setpoints.
   std::shared_ptr<const ViewFacts> (*view_facts)(const nlohmann::json& spec, Progress& progress) = nullptr;
-  ResultFiles files = {};  ///< empty if the kind has no layouts of its own
+  /// Returns the bodies of a spec that was planned, with members of its result (scene_parts); nullopt where a spec has
+  /// no scene. nullptr where the kind has none. Some ms; throws what reading the spec throws.
+  std::optional<Scene> (*scene)(const nlohmann::json& spec, const nlohmann::json& result, Progress& progress) = nullptr;
+  std::span<const std::string_view> scene_parts = {};  ///< members of the result that `scene` reads, such as a.b
+  ResultFiles files = {};                              ///< empty if the kind has no layouts of its own
 };
 
 std::span<const Kind> kinds();

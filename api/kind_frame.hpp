@@ -13,7 +13,9 @@
 ///
 /// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
 /// document is submitted; if the kind knows how long its plans take, expected_time(const Request&); if it has
-/// setpoints, view_facts(const Request&), which returns the ViewFacts of a series; and if it makes files of a result,
+/// setpoints, view_facts(const Request&), which returns the ViewFacts of a series; if it has a scene, scene(const
+/// Request&, const json& result, Progress&), which returns it with the members `scene_parts` of a result, and
+/// has_scene(const json& spec) where not every spec has one; and if it makes files of a result,
 /// `ResultFiles files`. The file api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
 /// }`, and api/kinds.cpp lists it.
 #include <memory>
@@ -104,10 +106,24 @@ std::shared_ptr<const ViewFacts> view_facts_of_spec(const nlohmann::json& spec, 
 }
 
 template <class K>
+concept HasScene = requires {
+  K::scene_parts;
+};
+
+template <class K>
+/// Implements Kind::scene.
+std::optional<Scene> scene_of_spec(const nlohmann::json& spec, const nlohmann::json& result, Progress& progress) {
+  if constexpr (requires { K::has_scene(spec); })
+    if (!K::has_scene(spec)) return std::nullopt;
+  return K::scene(K::read(spec, progress), result, progress);
+}
+
+template <class K>
 Kind kind_of() {
   Kind kind{K::name,       K::title,        embedded(K::name), embedded(std::string(K::name) + ".result"),
             check_spec<K>, preview_spec<K>, plan_spec<K>};
   if constexpr (HasViewFacts<K>) kind.view_facts = view_facts_of_spec<K>;
+  if constexpr (HasScene<K>) kind.scene = scene_of_spec<K>, kind.scene_parts = K::scene_parts;
   if constexpr (requires { K::files; }) kind.files = K::files;
   return kind;
 }

@@ -126,6 +126,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   add_limits_routes(router_, *context_);
   add_meta_routes(router_, *context_);
   add_path_routes(router_, *context_);
+  add_scene_routes(router_, *context_);
   add_example_routes(router_, *context_);
   add_health_routes(router_, *context_);
   add_page_routes(router_, *context_);

@@ -15,7 +15,7 @@ namespace bahnwerk::api {
 namespace {
 
 constexpr std::array axes{"x", "y", "z"};
-constexpr std::array<std::string_view, 6> column_names{"v", "limit", "mode", "block", "line", "use"};
+constexpr std::array<std::string_view, 8> column_names{"v", "limit", "mode", "block", "line", "use", "phi", "psi"};
 constexpr std::size_t default_points = 2000;
 constexpr std::size_t candidates = 16;  // vertices that are read for each one that is asked for
 
@@ -40,7 +40,7 @@ std::vector<std::string> columns_of(const std::string& text) {
   std::vector<std::string> list;
   for (std::string& name : split(text)) {
     if (std::find(column_names.begin(), column_names.end(), name) == column_names.end())
-      refuse_parameter("columns", "must be a list of v, limit, mode, block, line, use");
+      refuse_parameter("columns", "must be a list of v, limit, mode, block, line, use, phi, psi");
     list.push_back(std::move(name));
   }
   return list;

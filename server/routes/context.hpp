@@ -54,6 +54,7 @@ void add_result_routes(Router& router, Context& context);   ///< /v1/jobs/{id}/r
 void add_limits_routes(Router& router, Context& context);   ///< /v1/jobs/{id}/limits
 void add_meta_routes(Router& router, Context& context);     ///< kinds, schemas, openapi.json, problems
 void add_path_routes(Router& router, Context& context);     ///< /v1/jobs/{id}/path, /v1/jobs/{id}/blocks
+void add_scene_routes(Router& router, Context& context);    ///< /v1/jobs/{id}/scene
 void add_example_routes(Router& router, Context& context);  ///< check, examples, machines
 void add_health_routes(Router& router, Context& context);   ///< healthz, readyz, metrics
 void add_page_routes(Router& router, Context& context);     ///< the list of jobs and a page per job

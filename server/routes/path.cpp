@@ -68,6 +68,19 @@ std::vector<api::PathColumn> columns_of(const api::PathQuery& query, const api::
                                [](double t, const api::PlannedSegment& segment) { return t < segment.start; });
                            return (next == all.begin() ? next : next - 1)->source;
                          }});
+    } else if (name == "phi" || name == "psi") {  // where the needle points
+      const auto is_it = [&](const Column& column) { return column.name == name; };
+      const auto found = std::find_if(series.columns.begin(), series.columns.end(), is_it);
+      const auto at = static_cast<std::size_t>(found - series.columns.begin());
+      if (found == series.columns.end()) {
+        const std::string message = "this series has no column " + name;
+        throw api::Problem("schema-violation", "/query/columns: " + message, {{"/query/columns", message}});
+      }
+      columns.push_back(
+          {name, series.columns[at].unit, [series, at, row = std::vector<double>()](const api::PathVertex& v) mutable {
+             series.read(v.row, 1, row);
+             return row[at];
+           }});
     } else {  // use or limit
       const auto limited = std::make_shared<const api::SetpointSeries>(api::with_limits(series));
       const std::size_t at = limited->columns.size() - (name == "use" ? 2 : 1);

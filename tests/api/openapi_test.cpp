@@ -41,6 +41,7 @@ TEST(OpenApi, ListsExactlyTheRoutes) {
                                        "POST /v1/jobs/{id}/retry",
                                        "GET /v1/jobs/{id}/blocks",
                                        "GET /v1/jobs/{id}/path",
+                                       "GET /v1/jobs/{id}/scene",
                                        "POST /v1/check",
                                        "GET /v1/examples",
                                        "GET /v1/examples/{name}",

@@ -47,6 +47,7 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"DELETE /v1/jobs/{id}", 204},
                                          {"GET /v1/jobs/{id}/blocks", 404},  // a ramp has no blocks
                                          {"GET /v1/jobs/{id}/path", 200},
+                                         {"GET /v1/jobs/{id}/scene", 404},  // and no scene
                                          {"POST /v1/check", 200},
                                          {"GET /v1/examples", 200},
                                          {"GET /v1/examples/{name}", 200},

@@ -1,11 +1,14 @@
 #include "api/kinds/contour/contour.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "api/kind_frame.hpp"
 #include "api/kinds/contour/coarse_fine.hpp"
@@ -279,9 +282,33 @@ std::shared_ptr<const SegmentTable> segments(const ContourPlan& plan, const Cont
   return table;
 }
 
+/// Returns the places that the fine axes reach from where the coarse ones stand.
+SceneBody fine_range(const CoarseFineMachine& machine) {
+  std::array<double, 3> stroke{};
+  for (std::size_t k = 0; k < std::min(stroke.size(), machine.axes.size()); ++k) stroke[k] = machine.axes[k].stroke;
+  const auto [x, y, z] = stroke;
+  SceneBody body{.name = "fine range", .kind = SceneBody::Kind::extrusion, .moves = "coarse"};
+  body.outline = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+  body.from = -z, body.to = z;
+  return body;
+}
+
+/// Adds a line per row of edges with one mode.
+void add_lines(const Outline& shape, Scene& scene) {
+  SceneBody line;
+  for (std::size_t i = 1; i < shape.vertices.size(); ++i) {
+    if (line.points.empty()) line = {.name = shape.cut[i] ? "cut" : "position", .points = {shape.vertices[i - 1]}};
+    line.points.push_back(shape.vertices[i]);
+    if (i + 1 < shape.vertices.size() && shape.cut[i + 1] == shape.cut[i]) continue;
+    scene.add(std::exchange(line, {}));
+  }
+}
+
 struct ContourKind {
   static constexpr std::string_view name = "contour";
   static constexpr std::string_view title = "A tool head along a planar or spatial contour";
+
+  static constexpr std::array<std::string_view, 0> scene_parts{};
 
   static ContourJob read(const json& spec, Progress& progress) {
     ContourJob job = read_contour_job(spec);
@@ -308,6 +335,23 @@ struct ContourKind {
       if (axis.stroke > 0)
         facts.limits.push_back({"stroke " + axis.name + "f", "mm", axis.name + "f", 0, {-axis.stroke, axis.stroke}});
     return facts;
+  }
+
+  /// A contour has a scene where coarse and fine axes move in space.
+  static bool has_scene(const json& spec) {
+    const json& machine = spec.at("machine");
+    return machine.contains("coarse") && machine["coarse"].contains("z");
+  }
+
+  static Scene scene(const ContourJob& job, const json&, Progress& progress) {
+    const Outline shape = outline(job.contour, max_scene_vertices / 2, progress);
+    Scene scene;
+    scene.tolerance = shape.tolerance;
+    scene.movers = {{"tool", {"x", "y", "z"}}, {"coarse", {"xc", "yc", "zc"}}};
+    scene.add({.name = "head", .kind = SceneBody::Kind::points, .moves = "tool", .points = {{}}});
+    scene.add(fine_range(*job.coarse_fine));
+    add_lines(shape, scene);
+    return scene;
   }
 
   static ordered_json preview(const ContourJob& job, Progress& progress) {

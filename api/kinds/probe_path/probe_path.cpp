@@ -1,8 +1,12 @@
 #include "api/kinds/probe_path/probe_path.hpp"
 
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "api/kind_frame.hpp"
 #include "api/verification.hpp"
@@ -36,6 +40,8 @@ struct ProbePathKind {
   static constexpr std::string_view name = "probe_path";
   static constexpr std::string_view title = "A measuring head through given points, inside a tube";
 
+  static constexpr std::array<std::string_view, 0> scene_parts{};
+
   static Asked read(const json& spec, Progress&) { return {request(spec), notes(spec)}; }
 
   static ViewFacts view_facts(const Asked& asked) {
@@ -62,6 +68,23 @@ struct ProbePathKind {
     return {{"notes", asked.notes},
             {"estimate", {{"duration", length / problem.speed}, {"path_length", length}}},
             {"outline", {{"vertices", std::move(vertices)}, {"tolerance", shape.tolerance}}}};
+  }
+
+  static Scene scene(const Asked& asked, const json&, Progress& progress) {
+    const ProbeProblem& problem = asked.probe.problem;
+    const Outline shape = outline(problem.points, max_scene_vertices / 2, progress);
+    const bool flat = problem.dimension() == 2;
+    Scene scene;
+    scene.tolerance = shape.tolerance;
+    scene.movers = {{"tool", flat ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"}}};
+    using Body = SceneBody;
+    scene.add({.name = "head", .kind = Body::Kind::points, .moves = "tool", .points = {{}}});
+    scene.add({.name = "tube",
+               .kind = problem.tolerance > 0 ? Body::Kind::tube : Body::Kind::polyline,
+               .points = shape.vertices,
+               .radius = problem.tolerance});
+    scene.add({.name = "points", .kind = Body::Kind::points, .points = problem.given});
+    return scene;
   }
 
   static ProbePlan plan(const Asked& asked, Progress& progress) { return plan_probe(asked.probe, progress); }

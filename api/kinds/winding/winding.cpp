@@ -10,6 +10,7 @@
 #include "api/kind_frame.hpp"
 #include "api/kinds/winding/winding_input.hpp"
 #include "api/kinds/winding/winding_result.hpp"
+#include "api/kinds/winding/winding_scene.hpp"
 #include "api/verification.hpp"
 #include "core/base/progress.hpp"
 #include "core/plan/winding/feed_drawing.hpp"
@@ -59,6 +60,8 @@ struct WindingKind {
   static constexpr std::string_view title =
       "Coils of a stator or rotor wound by a needle, from slot to machine setpoints";
 
+  static constexpr auto scene_parts = winding_kind::scene_parts;
+
   static WindingRequest read(const json& spec, Progress&) { return request(spec); }
 
   static ViewFacts view_facts(const WindingRequest& asked) {
@@ -68,6 +71,10 @@ struct WindingKind {
     const double bears = std::min(asked.tension.permitted, asked.bears > 0 ? asked.bears : unlimited);
     if (std::isfinite(bears)) facts.limits.push_back({"wire tension", "N", "brake", 0, {-bears, bears}});
     return facts;
+  }
+
+  static Scene scene(const WindingRequest& asked, const json& result, Progress&) {
+    return winding_scene(asked, result);
   }
 
   static WindingPlan plan(const WindingRequest& asked, Progress& progress) {

@@ -194,15 +194,31 @@ const char* laying_region(const FixedPiece& piece) {
   return piece.kind == FixedPiece::Kind::coil_change ? "coil_change" : laying_region(piece.region);
 }
 
+namespace {
+
+ordered_json clearance_curve(const WindingPlan& plan) {
+  const ClearanceCurve& curve = plan.clearance_curve;
+  return {{"tolerance", curve.tolerance},  {"most", curve.enough},    {"obstacles", curve.names},
+          {"times", plan.clearance_times}, {"lengths", curve.bounds}, {"values", curve.least},
+          {"nearest", curve.nearest}};
+}
+
+}  // namespace
+
 ordered_json clearance(const WindingPlan& plan) {
   const winding::Clearance& least = plan.clearance;
   if (!(least.minimum < unlimited)) return nullptr;
   const winding::NeedlePiece& piece = plan.path.pieces.at(least.move);
   const FixedPiece& fixed = plan.support.at(piece.fixed);
-  return {{"minimum", least.minimum}, {"coil", fixed.coil + 1},
-          {"turn", fixed.turn + 1},   {"region", laying_region(fixed)},
-          {"link", piece.link},       {"at", tool_length(plan.tool->tool, least.move, least.at)},
-          {"along", least.along},     {"nearest", plan.nearest}};
+  return {{"minimum", least.minimum},
+          {"coil", fixed.coil + 1},
+          {"turn", fixed.turn + 1},
+          {"region", laying_region(fixed)},
+          {"link", piece.link},
+          {"at", tool_length(plan.tool->tool, least.move, least.at)},
+          {"along", least.along},
+          {"nearest", plan.nearest},
+          {"curve", clearance_curve(plan)}};
 }
 
 ordered_json link_times(const WindingRequest& request, const WindingPlan& plan) {

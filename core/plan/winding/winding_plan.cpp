@@ -337,21 +337,32 @@ class Planner {
       plan_.turn_begins.push_back(law.t0);
     }
     if (!(plan_.clearance.minimum < unlimited)) return;
+    ProgressPart curve(progress_, "clearance", planned, 1);
+    plan_.clearance_curve = clearance_curve(request_, plan_.support, plan_.path, tool, curve);
+    plan_.clearance_times = times_at(plan_.clearance_curve.bounds);
     const double least = request_.least_clearance, found = plan_.clearance.minimum,
-                 at = time_at(tool_length(tool, plan_.clearance.move, plan_.clearance.at));
+                 at = times_at({tool_length(tool, plan_.clearance.move, plan_.clearance.at)}).front();
     plan_.motion.verification.add(
         verify::make_check(Checked{CheckedQuantity::clearance}, least, found, at, found >= least));
   }
 
-  /// Returns the time, s, at which the needle is `s` mm along its path, to 1e-6 of the law's piece.
-  double time_at(double s) const {
+  /// Returns the times at which the needle passes ascending places `lengths`, mm along its path, to 1e-6 of the law's
+  /// piece.
+  std::vector<double> times_at(const std::vector<double>& lengths) const {
     const auto& pieces = plan_.motion.motion->law().pieces();
-    for (const LawPiece& law : pieces) {
-      if (law.at(law.duration).s < s) continue;
+    std::vector<double> times;
+    std::size_t k = 0;
+    for (const double s : lengths) {
+      while (k < pieces.size() && pieces[k].at(pieces[k].duration).s < s) ++k;
+      if (k == pieces.size()) {
+        times.push_back(plan_.motion.motion->duration());
+        continue;
+      }
+      const LawPiece& law = pieces[k];
       const auto before = [&](double t) { return law.at(t).s < s; };
-      return law.t0 + bisect(0, law.duration, 1e-6 * law.duration, 100, before).high;
+      times.push_back(law.t0 + bisect(0, law.duration, 1e-6 * law.duration, 100, before).high);
     }
-    return plan_.motion.motion->duration();
+    return times;
   }
 
   const WindingRequest& request_;

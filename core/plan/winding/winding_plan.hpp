@@ -85,6 +85,15 @@ struct WindingRequest {
   std::optional<PoseFrame> frame = {};  ///< frame of the setpoints' poses
 };
 
+/// The least clearance of the needle over the path, interval by interval.
+struct ClearanceCurve {
+  std::vector<double> bounds;        ///< mm along the path, ascending; one more than intervals
+  std::vector<double> least;         ///< mm, of each interval, proven to `tolerance`
+  std::vector<std::size_t> nearest;  ///< of each interval, an index in `names`
+  std::vector<std::string> names;    ///< names of obstacles, each once
+  double tolerance = 0, enough = 0;  ///< mm; clearances of `enough` and more are not distinguished
+};
+
 /// Durations of the whole path with the requested feed, s, for links chosen by each criterion. The path with the least
 /// one is taken, unless it comes nearer to obstacles than both the smoothest path and the request allow.
 struct LinkTimes {
@@ -101,6 +110,8 @@ struct WindingPlan {
   winding::NeedlePath path;
   std::optional<LinkTimes> link_times;   ///< set if minimum_time was requested
   winding::Clearance clearance;          ///< least clearance; its `move` is an index in path.pieces
+  ClearanceCurve clearance_curve;        ///< empty without obstacles
+  std::vector<double> clearance_times;   ///< s, when the needle passes each of its bounds
   std::string nearest;                   ///< name of the nearest obstacle, such as "stack"
   std::shared_ptr<const PosePath> tool;  ///< path.pieces as a path; source() of a segment is the index in path.pieces
   MachinePath machine;

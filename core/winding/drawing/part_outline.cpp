@@ -39,14 +39,8 @@ std::vector<Polyline3> repeated(const Section& section, int first, int count, do
 
 /// Returns the outline without the circle about the axis, which the neighbours interrupt.
 std::vector<Point> open_line(const Region& region, Point axis) {
-  const auto edges = region.edges();
-  std::size_t circle = 0;
-  double longest = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if (!edges[i].straight() && distance(edges[i].centre, axis) < 1e-9 && std::abs(edges[i].turn) > longest)
-      longest = std::abs(edges[i].turn), circle = i;
   std::vector<Point> line;
-  for (std::size_t i = 1; i < edges.size(); ++i) append(line, edges[(circle + i) % edges.size()]);
+  for (const Edge& edge : open_edges(region, axis)) append(line, edge);
   return line;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/winding/needle/clearance_search.hpp"
@@ -169,6 +170,25 @@ Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& need
   return ClearanceSearch<PieceInterval>(needle, obstacles, tolerance, progress).over(pieces.size(), [&](std::size_t n) {
     return PieceInterval(pieces[n]);
   });
+}
+
+std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halvings, double enough,
+                                              const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles,
+                                              double tolerance, Progress& progress) {
+  check(needle, tolerance);
+  std::vector<PieceInterval> intervals{PieceInterval(piece)};
+  for (int i = 0; i < halvings; ++i) {
+    std::vector<PieceInterval> halves;
+    for (const PieceInterval& each : intervals) halves.insert(halves.end(), {each.half(false), each.half(true)});
+    intervals = std::move(halves);
+  }
+  std::vector<Clearance> list;
+  for (const PieceInterval& each : intervals) {
+    ClearanceSearch<PieceInterval> search(needle, obstacles, tolerance, progress, enough);
+    list.push_back(search.over(1, [&](std::size_t) { return each; }));
+    list.back().move = list.size() - 1;
+  }
+  return list;
 }
 
 double clearance_up_to(double enough, std::span<const BezierPiece> pieces, const NeedleShape& needle,

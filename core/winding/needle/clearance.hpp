@@ -47,6 +47,12 @@ Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& nee
 Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& needle,
                     const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress);
 
+/// Returns the least clearance in each of 2^`halvings` intervals of a piece, which are equal in its parameter, as the
+/// search above does; or `enough` where it is nowhere less. `move` is the index of the interval.
+std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halvings, double enough,
+                                              const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles,
+                                              double tolerance, Progress& progress);
+
 /// Returns the least clearance along the pieces, mm, or `enough` if it is nowhere less than that by more than
 /// `tolerance`. The search does not distinguish larger clearances, which takes far less time than the least one.
 double clearance_up_to(double enough, std::span<const BezierPiece> pieces, const NeedleShape& needle,

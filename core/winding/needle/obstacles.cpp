@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/winding/part/vec3.hpp"
@@ -90,6 +91,23 @@ double StatorIron::section_distance(Vec3 p, double slot) const {
   return local_distance(std::hypot(p.x, p.y), std::clamp(local, -pitch_ / 2, pitch_ / 2));
 }
 
+Solid StatorIron::solid(double tolerance) const {
+  std::vector<Point> line;
+  for (const Edge& edge : open_edges(air_, {0, axis_})) {
+    if (line.empty()) line.push_back(edge.from);
+    append_chords(edge, tolerance, line);
+  }
+  // Converts from slot coordinates: slot 0 has its middle on the x axis.
+  for (Point& p : line) p = {axis_ - p.y, p.x};
+  const auto slots = static_cast<int>(std::lround(2 * std::numbers::pi / pitch_));
+  std::vector<Point> round = closed_round(line, slots, pitch_, tolerance);
+  std::reverse(round.begin(), round.end());
+  Solid solid;
+  solid.holes.push_back(std::move(round));
+  solid.to = stack_;
+  return solid;
+}
+
 Block::Block(double azimuth, double inner, double outer, double left, double right, double low, double high)
     : outwards_(azimuth),
       inwards_(-azimuth),
@@ -117,6 +135,15 @@ Vec3 Block::away(Vec3 p) const {
   }
   out = (1 / norm(out)) * Vec3{std::copysign(out.x, d.x), std::copysign(out.y, d.y), std::copysign(out.z, d.z)};
   return turned(out, outwards_);
+}
+
+Solid Block::solid(double) const {
+  const Vec3 low = middle_ - half_, high = middle_ + half_;
+  Solid solid;
+  solid.x = turned(solid.x, outwards_), solid.y = turned(solid.y, outwards_);
+  solid.outline = {{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}};
+  solid.from = low.z, solid.to = high.z;
+  return solid;
 }
 
 std::vector<Block> tool_posts(const StatorPart& part, const ToolPost& post, Coil coil) {

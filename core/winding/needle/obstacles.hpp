@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/winding/needle/solid.hpp"
 #include "core/winding/part/part.hpp"
 #include "core/winding/part/vec3.hpp"
 
@@ -31,6 +32,9 @@ class Obstacle {
   virtual double height_distance(Vec3) const { return -std::numeric_limits<double>::infinity(); }
   /// Returns all three at once.
   virtual Distances distances(Vec3 p) const { return {distance(p), section_distance(p), height_distance(p)}; }
+  /// Returns the obstacle as a prism whose arcs are chords within `tolerance` mm of them; all points of it that are
+  /// farther than that from its surface are where distance() is negative.
+  virtual Solid solid(double tolerance) const = 0;
 
  protected:
   /// Returns the distances of a section that extends from one height to another.
@@ -54,6 +58,7 @@ class StatorIron final : public Obstacle {
   /// middles of the teeth beside it, it is the distance at these.
   double section_distance(Vec3 p, double slot) const;
   double height_distance(Vec3 p) const override { return std::max(-p.z, p.z - stack_); }
+  Solid solid(double tolerance) const override;
   /// Returns slot, opening and bore together, in slot coordinates.
   const Region& air() const { return air_; }
 
@@ -74,6 +79,8 @@ class OneSlot final : public Obstacle {
   Distances distances(Vec3 p) const override { return extruded(section_distance(p), height_distance(p)); }
   double section_distance(Vec3 p) const override { return iron_.section_distance(p, slot_); }
   double height_distance(Vec3 p) const override { return iron_.height_distance(p); }
+  /// Returns the iron with all its slots.
+  Solid solid(double tolerance) const override { return iron_.solid(tolerance); }
 
  private:
   const Iron& iron_;
@@ -89,6 +96,7 @@ class Block final : public Obstacle {
   double distance(Vec3 p) const override;
   bool convex() const override { return true; }
   Vec3 away(Vec3 p) const override;
+  Solid solid(double tolerance) const override;
 
  private:
   Rotation outwards_, inwards_;  ///< rotations from the azimuth 0 to the block, and back

@@ -15,7 +15,7 @@ PartObstacles part_obstacles(const StatorPart& part, const Slot& slot, const Too
   PartObstacles all;
   all.add(std::make_unique<StatorIron>(part, slot), "stack");
   for (const Coil& coil : coils)
-    for (Block& block : tool_posts(part, post, coil)) all.add(std::make_unique<Block>(block), "winding tool");
+    for (Block& block : tool_posts(part, post, coil)) all.add(std::make_unique<Block>(block), winding_tool);
   return all;
 }
 

@@ -8,6 +8,8 @@
 
 namespace bahnwerk::winding {
 
+inline constexpr const char* winding_tool = "winding tool";  ///< name of the posts of winding tools
+
 class PartObstacles {
  public:
   void add(std::unique_ptr<Obstacle> obstacle, std::string name);

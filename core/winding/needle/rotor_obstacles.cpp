@@ -107,6 +107,18 @@ double RotorIron::section_distance(Vec3 p, double slot) const {
   return -iron_.distance({from_axis * std::cos(from_pole), from_axis * std::sin(from_pole)});
 }
 
+Solid RotorIron::solid(double tolerance) const {
+  std::vector<Point> line;
+  for (const Edge& edge : open_edges(iron_, {0, 0})) {
+    if (line.empty()) line.push_back(edge.from);
+    append_chords(edge, tolerance, line);
+  }
+  Solid solid;
+  solid.outline = closed_round(line, static_cast<int>(std::lround(2 * std::numbers::pi / pitch_)), pitch_, tolerance);
+  solid.from = low_, solid.to = high_;
+  return solid;
+}
+
 Wall::Wall(double azimuth, Region section, double half_width)
     : outwards_(azimuth), inwards_(-azimuth), half_width_(half_width), section_(std::move(section)) {}
 
@@ -130,6 +142,14 @@ Vec3 Wall::away(Vec3 p) const {
   }
   const Vec3 n{radial_share * out.x, std::copysign(across_share, local.y), radial_share * out.y};
   return turned((1 / norm(n)) * n, outwards_);
+}
+
+Solid Wall::solid(double tolerance) const {
+  Solid solid;
+  solid.x = turned(solid.x, outwards_), solid.y = {0, 0, 1}, solid.z = cross(solid.x, solid.y);
+  for (const Edge& edge : section_.edges()) append_chords(edge, tolerance, solid.outline);
+  solid.from = -half_width_, solid.to = half_width_;
+  return solid;
 }
 
 std::vector<Wall> cap_walls(const RotorPart& part, const Slot& slot, const RotorShape& shape) {

@@ -31,6 +31,7 @@ class RotorIron final : public Obstacle {
   /// middles of the poles beside it, it is the distance at these.
   double section_distance(Vec3 p, double slot) const;
   double height_distance(Vec3 p) const override { return std::max(low_ - p.z, p.z - high_); }
+  Solid solid(double tolerance) const override;
   /// Returns one pole and the whole hub; x along the pole's middle from the rotor's axis, y across it.
   const Region& iron() const { return iron_; }
 
@@ -47,6 +48,7 @@ class Wall final : public Obstacle {
   double distance(Vec3 p) const override;
   bool convex() const override { return true; }
   Vec3 away(Vec3 p) const override;
+  Solid solid(double tolerance) const override;
 
  private:
   Rotation outwards_, inwards_;

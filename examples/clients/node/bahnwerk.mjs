@@ -171,6 +171,12 @@ export class Client {
     return this.#json(path(id, `/path?${new URLSearchParams(query)}`));
   }
 
+  /** The bodies among which the motion takes place: part, tools, needle and laid wires of a winding, tube of a probe
+   *  path, range of fine axes in space. {bodies, movers, frame, place, box}. */
+  async scene(id) {
+    return this.#json(path(id, '/scene'));
+  }
+
   /** Setpoints: an object with one Float64Array per column. Every `every`-th of the `count` rows from `first` on, by
    *  default to the end. */
   async rows(id, { columns, first = 0, count, every = 1 } = {}) {

@@ -214,6 +214,11 @@ class Client:
                 query[name] = ",".join(map(str, query[name]))
         return self._json("GET", self._path(id, "/path?" + urllib.parse.urlencode(query)))
 
+    def scene(self, id):
+        """The bodies among which the motion takes place: part, tools, needle and laid wires of a winding, tube of a
+        probe path, range of fine axes in space. {bodies, movers, frame, place, box}."""
+        return self._json("GET", self._path(id, "/scene"))
+
     def rows(self, id, columns=None, first=0, count=None, every=1):
         """Setpoints, column by column: lists of floats, or numpy arrays where numpy is installed. Every `every`-th of
         the `count` rows from `first` on; None: to the end."""

@@ -84,6 +84,7 @@ class Wall final : public Obstacle {
  public:
   explicit Wall(double face) : face_(face) {}
   double distance(Vec3 p) const override { return face_ - p.y; }
+  Solid solid(double) const override { return {}; }
 
  private:
   double face_;
