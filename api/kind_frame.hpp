@@ -13,7 +13,8 @@
 ///
 /// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
 /// document is submitted; if the kind knows how long its plans take, expected_time(const Request&); if it has
-/// setpoints, view_facts(const Request&), which returns the ViewFacts of a series; if it has a scene, scene(const
+/// setpoints, view_facts(const Request&), which returns the ViewFacts of a series, and document_segments(const
+/// Request&, Progress&) for ViewFacts::document; if it has a scene, scene(const
 /// Request&, const json& result, Progress&), which returns it with the members `scene_parts` of a result, and
 /// has_scene(const json& spec) where not every spec has one; and if it makes files of a result,
 /// `ResultFiles files`. The file api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
@@ -102,7 +103,11 @@ PlannedJob plan_spec(const nlohmann::json& spec, Progress& progress) {
 template <class K>
 /// Implements Kind::view_facts.
 std::shared_ptr<const ViewFacts> view_facts_of_spec(const nlohmann::json& spec, Progress& progress) {
-  return std::make_shared<const ViewFacts>(K::view_facts(K::read(spec, progress)));
+  const auto request = K::read(spec, progress);
+  auto facts = std::make_shared<ViewFacts>(K::view_facts(request));
+  if constexpr (requires { K::document_segments(request, progress); })
+    facts->document = K::document_segments(request, progress);
+  return facts;
 }
 
 template <class K>

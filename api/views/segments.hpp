@@ -1,5 +1,7 @@
 #pragma once
-/// The view `segments`: which part of the document the motion drives when. It is made from the plan, not from rows.
+/// The view `segments`: which part of the document the motion drives when. It is made from the plan or, for a job of an
+/// older version, from the document and the columns s, v and block of the rows: blocks begin and end within a cycle of
+/// the true time, segments within a block by their lengths, and a dwell belongs to the segment after it.
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -25,7 +27,7 @@ struct SegmentTable {
   bool program = false;                  ///< whether sources are lines of a program
 };
 
-/// Makes the view; nullptr if the facts have no segments.
+/// Makes the view; nullptr if the facts have no segments, or the series lacks a column that is needed.
 std::unique_ptr<View> segment_view(const ViewInput& input, const ViewSink& sink);
 /// Returns the table as it was stored: times and lengths in single precision, the begins in double. nullopt: there is
 /// no such view. 10 ns per segment.

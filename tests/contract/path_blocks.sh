@@ -71,3 +71,31 @@ for query in 'parts=' 'parts=a..b' 'parts=%2Fa' 'other=1'; do
   request GET "/v1/jobs/$id/result?$query"
   expect_problem schema-violation 422
 done
+
+# Of jobs of older versions, which stored no views, blocks are made of document and rows at the first question: their times are right within a cycle.
+answers=(${ids[1]}:block ${ids[1]}:segment "$id:block" "$id:line")
+for each in "${answers[@]}"; do
+  request GET "/v1/jobs/${each%:*}/blocks?by=${each#*:}&count=1000"
+  expect_status 200
+  cp "$work/body" "$work/$each.blocks"
+done
+stop_server TERM || fail "the server ends"
+python3 -c 'import sqlite3, sys
+store = sqlite3.connect(sys.argv[1])
+store.execute("DELETE FROM views")
+store.execute("UPDATE results SET views = 0")
+store.commit()' "$work/store.db"
+start_server
+for each in "${answers[@]}"; do
+  request GET "/v1/jobs/${each%:*}/result?parts=setpoints"
+  cycle=$(field .setpoints.cycle_time)
+  request GET "/v1/jobs/${each%:*}/blocks?by=${each#*:}&count=1000"
+  expect_status 200
+  jq -n --slurpfile new "$work/body" --slurpfile old "$work/$each.blocks" --argjson cycle "$cycle" '
+    def near(a; b; by): (a - b) as $d | $d < by and -$d < by;
+    $new[0] as $new | $old[0] as $old | $new.total == $old.total and near($new.time; $old.time; $cycle) and
+    all(range($new.blocks | length); $new.blocks[.] as $a | $old.blocks[.] as $b |
+      $a.text == $b.text and $a.mode == $b.mode and near($a.length; $b.length; 1e-3) and near($a.start_time; $b.start_time; 1.5 * $cycle) and
+      near($a.end_time; $b.end_time; 1.5 * $cycle))' >"$work/same"
+  expect_equal "$(cat "$work/same")" true "blocks of $each of a job that was stored without them"
+done

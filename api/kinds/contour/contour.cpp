@@ -271,15 +271,20 @@ void report_fine_axes(const ContourJob& job, const Planned& planned, Progress& p
   out.drawings["machine_study.svg"] = machine_study_drawing(*planned.study, plan.contour.duration);
 }
 
-/// Returns what the motion of the setpoints drives when.
-std::shared_ptr<const SegmentTable> segments(const ContourPlan& plan, const ContourJob& job, const TimeLaw& law,
-                                             Progress& progress) {
+std::shared_ptr<const SegmentTable> table_of(const std::vector<DrivenSegment>& segments, bool program) {
   auto table = std::make_shared<SegmentTable>();
-  table->program = job.program;
-  for (const DrivenSegment& s : driven_segments(*plan.path, job.head, law, progress))
+  table->program = program;
+  table->segments.reserve(segments.size());
+  for (const DrivenSegment& s : segments)
     table->segments.push_back({static_cast<std::uint32_t>(s.source), static_cast<std::uint32_t>(s.block),
                                s.mode == Mode::cut, s.rests, s.start, s.time, s.length, s.feed, s.least_time});
   return table;
+}
+
+/// Returns what the motion of the setpoints drives when.
+std::shared_ptr<const SegmentTable> segments(const ContourPlan& plan, const ContourJob& job, const TimeLaw& law,
+                                             Progress& progress) {
+  return table_of(driven_segments(*plan.path, job.head, law, progress), job.program);
 }
 
 /// Returns the places that the fine axes reach from where the coarse ones stand.
@@ -335,6 +340,10 @@ struct ContourKind {
       if (axis.stroke > 0)
         facts.limits.push_back({"stroke " + axis.name + "f", "mm", axis.name + "f", 0, {-axis.stroke, axis.stroke}});
     return facts;
+  }
+
+  static std::shared_ptr<const SegmentTable> document_segments(const ContourJob& job, Progress& progress) {
+    return table_of(bahnwerk::document_segments(job.contour, job.head, progress), job.program);
   }
 
   /// A contour has a scene where coarse and fine axes move in space.

@@ -30,7 +30,35 @@ double time_at_axis_velocity(const Segment& segment, const Machine& machine, std
   return sum / parts * segment.length();
 }
 
+/// Sets length and least time of a segment of a block, whose feed is known.
+void measure(const Segment& segment, const Machine& machine, std::size_t axes, DrivenSegment& out) {
+  out.length = segment.length();
+  out.least_time = std::isfinite(out.feed) ? out.length / out.feed : time_at_axis_velocity(segment, machine, axes);
+}
+
+DrivenSegment begin_segment(const Contour& contour, std::size_t segment, std::size_t block) {
+  DrivenSegment out;
+  out.source = contour.path[segment].source();
+  out.block = block;
+  out.mode = contour.blocks[block].mode;
+  out.feed = contour.blocks[block].feed;
+  return out;
+}
+
 }  // namespace
+
+std::vector<DrivenSegment> document_segments(const Contour& contour, const Machine& machine, Progress& progress) {
+  const std::size_t axes = std::min(machine.dimension(), contour.dimension);
+  std::vector<DrivenSegment> out;
+  out.reserve(contour.path.size());
+  for (std::size_t b = 0; b < contour.blocks.size(); ++b)
+    for (std::size_t i = contour.blocks[b].first; i < contour.blocks[b].last; ++i) {
+      if (i % 4096 == 0) progress.report("report", 1);
+      out.push_back(begin_segment(contour, i, b));
+      measure(contour.path[i], machine, axes, out.back());
+    }
+  return out;
+}
 
 std::vector<DrivenSegment> driven_segments(const Contour& contour, const Machine& machine, const TimeLaw& law,
                                            Progress& progress) {
@@ -48,19 +76,11 @@ std::vector<DrivenSegment> driven_segments(const Contour& contour, const Machine
       out.back().time += piece.duration;
       continue;
     }
-    const Segment& segment = contour.path[piece.segment];
-    DrivenSegment next;
-    next.source = segment.source();
-    next.block = block;
-    next.mode = contour.blocks[block].mode;
+    DrivenSegment next = begin_segment(contour, piece.segment, block);
     next.start = piece.t0, next.time = piece.duration;
-    next.feed = contour.blocks[block].feed;
     next.rests = rests;
-    if (!dwell && piece.segment != last) {  // a segment that goes on after a dwell has its length already
-      next.length = segment.length();
-      next.least_time =
-          std::isfinite(next.feed) ? next.length / next.feed : time_at_axis_velocity(segment, machine, axes);
-    }
+    // A segment that goes on after a dwell has its length already.
+    if (!dwell && piece.segment != last) measure(contour.path[piece.segment], machine, axes, next);
     if (!dwell) last = piece.segment;
     dwelt = dwell;
     out.push_back(next);

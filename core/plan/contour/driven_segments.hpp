@@ -28,4 +28,7 @@ struct DrivenSegment {
 std::vector<DrivenSegment> driven_segments(const Contour& contour, const Machine& machine, const TimeLaw& law,
                                            Progress& progress);
 
+/// Returns the segments of a contour that is not planned, in their order: without times, rests and dwells.
+std::vector<DrivenSegment> document_segments(const Contour& contour, const Machine& machine, Progress& progress);
+
 }  // namespace bahnwerk
