@@ -56,7 +56,7 @@ ordered_json document(const SceneBody& body) {
                     {"x", numbers(body.frame->x)},
                     {"y", numbers(body.frame->y)},
                     {"z", numbers(body.frame->z)}};
-  if (body.assumed_outline) out["assumed"] = {"outline"};
+  if (body.assumed_outline) out["assumed"] = ordered_json::array({"outline"});
   return out;
 }
 

@@ -43,6 +43,8 @@ std::optional<api::Scene> scene_of(Context& context, const std::string& id, cons
     return kind->scene(api::job_spec(job->request.document), result_parts(context.store, id, *kind), progress);
   } catch (const InvalidInput&) {
     return std::nullopt;
+  } catch (const api::Problem&) {
+    return std::nullopt;
   }
 }
 

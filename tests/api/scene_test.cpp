@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "api/kind.hpp"
 #include "core/base/progress.hpp"
@@ -44,7 +45,7 @@ TEST(Scene, WhatHasNoRoomIsCounted) {
 TEST(Scene, KindsInSpaceHaveOne) {
   SilentProgress silent;
   for (const auto& [kind, file, bodies] : {std::tuple{"winding", "examples/stator_coil.json", 1 + 1 + 4},
-                                           {"probe_path", "examples/probe_space.json", 3}}) {
+                                           std::tuple{"probe_path", "examples/probe_space.json", 3}}) {
     const json spec = test::read_json(test::source(file))["spec"];
     const auto scene = find_kind(kind)->scene(spec, json::object(), silent);
     ASSERT_TRUE(scene) << file;

@@ -359,6 +359,10 @@ class Planner {
         continue;
       }
       const LawPiece& law = pieces[k];
+      if (law.at(0).s >= s) {
+        times.push_back(law.t0);
+        continue;
+      }
       const auto before = [&](double t) { return law.at(t).s < s; };
       times.push_back(law.t0 + bisect(0, law.duration, 1e-6 * law.duration, 100, before).high);
     }

@@ -55,7 +55,7 @@ TEST(WindingScene, TheCurveOfTheClearanceHasItsLeastValue) {
     const auto times = curve["times"].get<std::vector<double>>();
     EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
     EXPECT_EQ(times.front(), 0);
-    EXPECT_NEAR(times.back(), result["setpoints"]["duration"].get<double>(), 1e-9);
+    EXPECT_NEAR(times.back(), result["setpoints"]["duration"].get<double>(), 1e-6);
     EXPECT_NEAR(curve["lengths"].back().get<double>(), result["summary"]["path_length"].get<double>(), 1e-6);
     // The interval that holds the nearest place is the one with the least value.
     const auto lengths = curve["lengths"].get<std::vector<double>>();
