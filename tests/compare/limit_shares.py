@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Counts over all rows which limit each belongs to and compares the shares of time with those of /limits.
 
-    python3 tests/compare/limit_shares.py build/release/bahnwerk FILE.gcode… [--cycle 0.002] [--tolerance 1e-3]
+    python3 tests/compare/limit_shares.py build/release/bahnwerk FILE… [--cycle 0.002] [--tolerance 1e-3]
 
-Each program is planned with time_optimal and with jerk_limited. The limits come from the document that is posted, the
+A file is a part program or, with the suffix .json, a contour or a job with one. Each is planned with time_optimal and with jerk_limited. The limits come from the document that is posted, the
 feeds from the list of blocks, the rows from format=f64; nothing of /limits is used but its times. Prints a line per plan
 and exits with 1 if the share of some limit differs by more than the tolerance. Plain Python 3, standard library only.
 """
@@ -56,10 +56,19 @@ class Service:
             time.sleep(0.2)
 
 
-def document(text, jerk, cycle):
+def contour(file):
+    text = file.read_text(errors="replace")
+    if file.suffix != ".json":
+        return {"gcode": text}
+    read = json.loads(text)
+    read = read.get("spec", read)
+    return read.get("contour", read)
+
+
+def document(contour, jerk, cycle):
     axes = {name: {**limits, "jerk": limits["jerk"] if jerk else None} for name, limits in AXES.items()}
     return {"kind": "contour", "spec": {
-        "contour": {"gcode": text},
+        "contour": contour,
         "machine": {"kinematics": "cartesian", "axes": axes, "cycle_time": cycle},
         "planning": {"method": "jerk_limited" if jerk else "time_optimal", "corner": {"mode": "blend", "tolerance": 0.02}}}}
 
@@ -126,7 +135,7 @@ def main():
                 for jerk in (False, True):
                     label = f"{file.name:40} {'jerk_limited' if jerk else 'time_optimal':12}"
                     try:
-                        job = service.planned(document(file.read_text(errors="replace"), jerk, options.cycle))
+                        job = service.planned(document(contour(file), jerk, options.cycle))
                     except urllib.error.HTTPError as error:
                         print(label, "refused:", json.load(error)["detail"][:100], flush=True)
                         continue
