@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,56 @@ std::vector<double> times_of(const LawTask& task, const SplineResult& spline) {
 }
 
 bool usable(const SplineResult& spline) { return spline.feasible && spline.violation <= 1e-8; }
+
+/// Returns whether splines with a basis are splines with another one, whose pieces are parts of its own, too.
+bool contains(const LawTask& task, const LawBasis& finer, const LawBasis& basis) {
+  for (std::size_t s = 0; s < task.sections(); ++s)
+    if (finer.section(s).pieces() % basis.section(s).pieces() != 0) return false;
+  return true;
+}
+
+/// A spline, its number of pieces and J of its published law; infinite where there is none.
+struct Nested {
+  SplineResult spline;
+  int pieces;
+  double objective;
+};
+
+/// Splines whose numbers of pieces divide each other contain each other: the least J does not grow with the pieces.
+/// Rounding, and programs that end before their optimum, hide that. So where no proof says that the law's J is the
+/// least one to 1e-9, those of fewer pieces are looked at. Cost: at most that of all numbers that divide the given one.
+class NestedSearch {
+ public:
+  NestedSearch(const LawTask& task, int degree, double gap, Search& search, const PublishedObjective& objective)
+      : task_(task), degree_(degree), gap_(gap), search_(search), objective_(objective) {}
+
+  /// Returns the law of the least published J among `spline`, which has that many pieces, and those of fewer.
+  Nested best(SplineResult spline, int pieces) {
+    const LawBasis basis(task_, degree_, pieces);
+    Nested least{std::move(spline), pieces, std::numeric_limits<double>::infinity()};
+    const bool found = usable(least.spline);
+    if (found) least.objective = objective_(basis, least.spline);
+    const bool proven = found && least.objective - least.spline.lower <= gap_ * least.objective;
+    for (int divisor = pieces / 2; divisor >= 1; --divisor) {
+      if (pieces % divisor != 0) continue;
+      const LawBasis fewer(task_, degree_, divisor);
+      if (proven && contains(task_, basis, fewer)) continue;
+      auto known = known_.find(divisor);
+      if (known == known_.end())
+        known = known_.emplace(divisor, best(search_.at(degree_, divisor, task_.middle(), gap_), divisor)).first;
+      if (known->second.objective < least.objective) least = known->second;
+    }
+    return least;
+  }
+
+ private:
+  const LawTask& task_;
+  int degree_;
+  double gap_;
+  Search& search_;
+  const PublishedObjective& objective_;
+  std::map<int, Nested> known_;  // by pieces
+};
 
 }  // namespace
 
@@ -95,7 +146,8 @@ void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, P
                  assumption(task, law.objective());
 }
 
-DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task, Progress& progress) {
+DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
+                           const PublishedObjective& published_objective, Progress& progress) {
   DegreeChoice choice;
   Search search(task, progress);
   const double fine = SplineOptions{}.gap;
@@ -114,6 +166,18 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
     choice.degree = *problem.degree;
     choice.pieces = problem.pieces;
     choice.spline = solve(choice.degree, choice.pieces, fine);
+    if (!task.free_angles()) {
+      NestedSearch nested(task, choice.degree, fine, search, published_objective);
+      Nested best = nested.best(std::move(choice.spline), choice.pieces);
+      if (best.pieces < choice.pieces)
+        choice.notes.push_back("With " + std::to_string(choice.pieces) +
+                               " pieces per section no law was found whose "
+                               "J is less than that of one with " +
+                               std::to_string(best.pieces) +
+                               ", which is a law of more pieces, too: the result has these.");
+      choice.pieces = best.pieces;
+      choice.spline = std::move(best.spline);
+    }
     if (!usable(choice.spline)) {
       const LawBasis basis(task, choice.degree, choice.pieces);
       const std::vector<double> times = choice.spline.breaks.empty() ? task.middle() : times_of(task, choice.spline);

@@ -1,6 +1,7 @@
 #pragma once
 /// The degree and the pieces of `optimal`: those that the problem names, or the smallest degree, and for it the fewest
 /// pieces, within 1 % of the bound over all laws.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,13 @@ struct DegreeChoice {
   std::vector<std::string> notes;
 };
 
-/// Throws InvalidInput where no law exists.
-DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task, Progress& progress);
+/// Returns J of the law that is published for a spline: rounding of its positions may raise it above the spline's own.
+using PublishedObjective = std::function<double(const LawBasis& basis, const SplineResult& spline)>;
+
+/// Throws InvalidInput where no law exists. With a given degree and fixed angles no number of pieces that divides the
+/// given one has a law whose published J is less by more than 1e-9: the choice has the fewer pieces, else.
+DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
+                           const PublishedObjective& published_objective, Progress& progress);
 
 class KnownLaw;
 /// Raises the bound over all laws, where it can, and sets what it is made of; counts its programs. `finely`: with three

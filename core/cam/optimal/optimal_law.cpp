@@ -197,9 +197,12 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, c
     bound_law(task, law, chosen, progress);
   } else {
     check_lengths(problem, task, problem.degree.value_or(least_degree(task)));
+    const PublishedObjective published = [&](const LawBasis& tried, const SplineResult& spline) {
+      return evaluate_objective(problem, to_law(problem, task, tried, spline)).objective;
+    };
     // Where the law's derivatives are smaller than usual, short sections have fewer pieces or are refused.
     for (int round = 0; round < 3; ++round) {
-      chosen = choose_degree(problem, task, progress);
+      chosen = choose_degree(problem, task, published, progress);
       const LawBasis tried(task, chosen.degree, chosen.pieces);
       if (is_published(task, tried, chosen.spline, to_law(problem, task, tried, chosen.spline))) break;
       check_lengths(problem, task, problem.degree.value_or(least_degree(task)));

@@ -22,19 +22,14 @@ JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progr
   add_rows();
   for (std::size_t i = 0; i < task_.points(); ++i) {
     if (time_border_[i] == BorderedRow::none) continue;
-    const BorderedRow::Term one[] = {{time_border_[i], 1}};
+    const BorderedRow::Term change[] = {{time_border_[i], 1}};
     BorderedRow row;
-    row.border = one;
+    row.border = change;
     const double radius = reference_->radius[i];
-    row.lower = std::max(-radius, task_.at[i].min - times_[i]);
-    row.upper = std::min(radius, task_.at[i].max - times_[i]);
-    // Rows are of the order of 1.
-    const BorderedRow::Term scaled[] = {{time_border_[i], 1 / radius}};
-    row.border = scaled;
-    row.lower /= radius;
-    row.upper /= radius;
+    row.lower = std::max(-1.0, (task_.at[i].min - times_[i]) / radius);
+    row.upper = std::min(1.0, (task_.at[i].max - times_[i]) / radius);
     band_.add_row(row);
-    point_.x[band_.border_index(time_border_[i])] = radius * std::clamp((row.lower + row.upper) / 2, -0.2, 0.2);
+    point_.x[band_.border_index(time_border_[i])] = std::clamp((row.lower + row.upper) / 2, -0.2, 0.2);
   }
   range_state_.resize(fixed_rows());
   set_point(0.05 / static_cast<double>(band_.rows()));
@@ -49,8 +44,8 @@ JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progr
   step.times = times_;
   for (std::size_t i = 0; i < task_.points(); ++i)
     if (time_border_[i] != BorderedRow::none)
-      step.times[i] =
-          std::clamp(times_[i] + point_.x[band_.border_index(time_border_[i])], task_.at[i].min, task_.at[i].max);
+      step.times[i] = std::clamp(times_[i] + reference_->radius[i] * point_.x[band_.border_index(time_border_[i])],
+                                 task_.at[i].min, task_.at[i].max);
   if (task_.largest_peak) step.objective = unit_objective_ * point_.x[band_.border_index(0)];
   for (std::size_t g = 0; g < task_.groups.count() && !task_.largest_peak; ++g)
     for (std::size_t r = 1; r < limited_orders; ++r)

@@ -29,10 +29,13 @@ void SplineProgram::law_weights(std::size_t section, std::size_t piece, double v
     if (out[k] != 0) out[k] *= power * coefficient_of_variable(length, k);
 }
 
-/// Returns whether the derivatives from an order on are numbers at an end of a section.
+/// Returns whether the derivatives from an order on are numbers at an end of a section that variables express: where
+/// times change, a derivative other than 0 is not one variable's number.
 bool SplineProgram::known_at(bool end, std::size_t section, int order) const {
   const Numbers& values = (end ? end_values_ : begin_values_)[section];
-  return std::all_of(values.begin() + order, values.end(), [](const auto& value) { return value.has_value(); });
+  for (auto k = static_cast<std::size_t>(order); k < values.size(); ++k)
+    if (!values[k] || (reference_ && k > 0 && *values[k] != 0)) return false;
+  return true;
 }
 
 /// Writes the weights of s^(order) from the section's end, where the states are numbers: seen backwards the section is
@@ -61,8 +64,7 @@ double SplineProgram::law_weights_from_end(std::size_t section, std::size_t piec
 double SplineProgram::limit_weights(const LawSample& at, std::vector<double>& out) const {
   const SectionBasis& basis = basis_.section(at.section);
   const double place = basis.begin(at.piece) + at.v * basis.length(at.piece);
-  if (reference_ || at.order >= static_cast<int>(SectionBasis::states) ||
-      !known_at(place > 0.5, at.section, at.order)) {
+  if (at.order >= static_cast<int>(SectionBasis::states) || !known_at(place > 0.5, at.section, at.order)) {
     law_weights(at.section, at.piece, at.v, at.order, out);
     return 0;
   }
@@ -94,8 +96,9 @@ void SplineProgram::add_time_terms(std::size_t section, const std::vector<double
   for (std::size_t k = 0; k < weights.size(); ++k) value += weights[k] * reference_x_[basis_.first(section) + k];
   const double slope = -factor * value * order / lengths_[section];  // change with the section's length
   const std::size_t end = task_.periodic ? task_.end_point(section) : section + 1;
-  if (time_border_[section] != BorderedRow::none) out.push_back({time_border_[section], -slope});
-  if (time_border_[end] != BorderedRow::none) out.push_back({time_border_[end], slope});
+  if (time_border_[section] != BorderedRow::none)
+    out.push_back({time_border_[section], -slope * reference_->radius[section]});
+  if (time_border_[end] != BorderedRow::none) out.push_back({time_border_[end], slope * reference_->radius[end]});
 }
 
 void SplineProgram::build_equalities() {
@@ -191,8 +194,10 @@ void SplineProgram::build_equalities() {
         if (own && reference_ && limit.min != 0) {  // the variable is the derivative times length^r
           const double slope = limit.min * power * r / lengths_[point];
           const std::size_t end = task_.periodic ? task_.end_point(point) : point + 1;
-          if (time_border_[point] != BorderedRow::none) times.push_back({time_border_[point], slope});
-          if (time_border_[end] != BorderedRow::none) times.push_back({time_border_[end], -slope});
+          if (time_border_[point] != BorderedRow::none)
+            times.push_back({time_border_[point], slope * reference_->radius[point]});
+          if (time_border_[end] != BorderedRow::none)
+            times.push_back({time_border_[end], -slope * reference_->radius[end]});
         }
         band_.add_equality(terms, own ? limit.min * power : 0, times);
       }
@@ -267,8 +272,9 @@ void SplineProgram::add_floors() {
     // d(C/T^r) = −r C/T^(r+1) dT: the tangent of a convex function.
     const double slope = floor.order * floor.peak / lengths_[floor.section] / unit;
     const std::size_t end = task_.periodic ? task_.end_point(floor.section) : floor.section + 1;
-    if (time_border_[floor.section] != BorderedRow::none) terms.push_back({time_border_[floor.section], -slope});
-    if (time_border_[end] != BorderedRow::none) terms.push_back({time_border_[end], slope});
+    if (time_border_[floor.section] != BorderedRow::none)
+      terms.push_back({time_border_[floor.section], -slope * reference_->radius[floor.section]});
+    if (time_border_[end] != BorderedRow::none) terms.push_back({time_border_[end], slope * reference_->radius[end]});
     BorderedRow row;
     row.border = terms;
     row.lower = floor.peak / unit;
