@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/errors.hpp"
@@ -199,6 +200,30 @@ TEST(OptimalLaw, TheDriveDecidesWhereTheCycleHasNoDuration) {
   ASSERT_TRUE(law.solution.lower);
   EXPECT_LE(*law.solution.lower, law.solution.value.objective);
   EXPECT_GE(*law.solution.lower, law.solution.bound->objective * (1 - 1e-6));
+}
+
+/// Splines of 2 pieces are splines of 4 and of 6, and so on: more of them never make J greater by more than 1e-9.
+TEST(OptimalLaw, MorePiecesThatDivideEachOtherAreNeverWorse) {
+  SilentProgress progress;
+  Random random(11);
+  for (int k = 0; k < 2; ++k) {
+    MotionLawProblem problem = testing::rest_to_rest(30, 1);
+    problem.objective.weight = {0, 1, random.uniform(0.01, 0.3), random.uniform(1e-4, 0.02)};
+    problem.points.insert(problem.points.begin() + 1,
+                          testing::point_at(random.uniform(5, 80), {testing::fixed(random.uniform(0, 40))}));
+    for (const int degree : {5, 9}) {
+      problem.degree = degree;
+      double least = 1e300;
+      for (const int pieces : {1, 2, 4, 8, 16}) {
+        problem.pieces = pieces;
+        const OptimalLaw law = plan_optimal_law(problem, progress);
+        EXPECT_LE(law.solution.value.objective, least * (1 + 1e-9)) << k << ", degree " << degree << ", " << pieces;
+        EXPECT_LE(*law.solution.lower, law.solution.value.objective);
+        EXPECT_EQ(pieces % law.pieces, 0);
+        least = std::min(least, law.solution.value.objective);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -184,5 +184,33 @@ TEST(SplineProgram, ContradictionsAreNamed) {
   EXPECT_EQ(limit.limits[0], std::pair(std::size_t{0}, 1));
 }
 
+/// Near a rest a limit of velocity leaves a law next to no room; steps in coefficients and angles converge there, too,
+/// at any radius.
+TEST(SplineProgram, JointStepsOfMonotoneLawsConverge) {
+  SilentProgress progress;
+  MotionLawProblem problem = testing::rest_to_rest(50, 1);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(45, {testing::fixed(25)}, 3));
+  problem.points[1].at = {15, 75};
+  for (std::size_t section = 0; section < 2; ++section) problem.points[section].section[1].min = 0;
+  const LawTask task = make_law_task(problem);
+  const LawBasis basis(task, 7, 1);
+  const double room = task.at[1].max - task.at[1].min;
+  for (const double share : {0.2, 0.35, 0.5, 0.6, 0.85}) {
+    std::vector<double> times = task.middle();
+    times[1] = task.at[1].min + share * room;
+    SplineOptions coarse;
+    coarse.gap = 1e-4;
+    const SplineResult law = SplineProgram(task, basis, times).solve(coarse, progress);
+    ASSERT_TRUE(law.feasible) << share;
+    for (const double radius : {0.1 * room, 1e-2 * room, 1e-4 * room}) {
+      const JointReference reference{law.coefficients, {0, radius, 0}};
+      const JointStep step = SplineProgram(task, basis, times, &reference).joint_step(law.samples, progress);
+      EXPECT_TRUE(step.converged) << share << ", " << radius;
+      EXPECT_LE(step.objective, law.objective * (1 + 1e-6)) << share << ", " << radius;
+      EXPECT_LE(std::abs(step.times[1] - times[1]), radius * (1 + 1e-9));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk::cam
