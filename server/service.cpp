@@ -15,6 +15,7 @@
 #include "server/runtime/descriptors.hpp"
 #include "server/runtime/log.hpp"
 #include "server/store/open.hpp"
+#include "server/store/store_url.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -54,6 +55,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
       compose({request_id(), access_log(options.logged_requests), audit(), count(metrics_), cors(hosts_),
                pack_answers(offload), prefixed(), problem_pages(), guard(), same_site(hosts_)},
               [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
+  const unsigned workers = options.role == Role::api ? 0 : options.workers;
   check_origins(options.cors_origins);
   const CallbackHosts callback_hosts(options.callback_hosts);
   listener_ = std::make_unique<Listener>(
@@ -62,6 +64,10 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                                 .connections = [this](std::size_t open) { metrics_.connections(open); },
                                                 .proxies = TrustedProxies(options.trusted_proxies)});
   check_store(options.store);
+  if (options.role != Role::all && !names_postgres(options.store))
+    throw std::runtime_error("--role " + std::string(to_string(options.role)) +
+                             " needs a store that processes share, postgresql://…; a SQLite file is owned by one "
+                             "process (use --role all)");
   std::vector<api::MachineFile> machines = offered_machines(options.machines);
   listener_->open(options.listen, options.tls, options.socket_mode);
   if (!options.insecure_listen && listener_->reachable() && list_keys(options.store).empty())
@@ -70,7 +76,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
         " is reached from other machines, and there is no key: whoever reaches it could post, read and delete jobs. "
         "Make "
         "one (bahnwerk key add NAME --scope submit,read --store " +
-        options.store +
+        without_secrets(options.store) +
         "), listen on 127.0.0.1, or, where something else keeps others out, say so with --insecure-listen "
         "(BAHNWERK_INSECURE_LISTEN=true)");
   hosts_ = allowed_hosts(options.listen, listener_->address(), options.allowed_hosts);
@@ -118,25 +124,27 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                                options.build,
                                                time_,
                                                options.event_heartbeat,
-                                               options.workers,
+                                               workers,
                                                callback_hosts,
                                                *places_});
-  add_job_routes(router_, *context_);
-  add_result_routes(router_, *context_);
-  add_limits_routes(router_, *context_);
-  add_meta_routes(router_, *context_);
-  add_path_routes(router_, *context_);
-  add_scene_routes(router_, *context_);
-  add_example_routes(router_, *context_);
   add_health_routes(router_, *context_);
-  add_page_routes(router_, *context_);
-  add_asset_routes(router_);
+  if (options.role != Role::worker) {
+    add_job_routes(router_, *context_);
+    add_result_routes(router_, *context_);
+    add_limits_routes(router_, *context_);
+    add_meta_routes(router_, *context_);
+    add_path_routes(router_, *context_);
+    add_scene_routes(router_, *context_);
+    add_example_routes(router_, *context_);
+    add_page_routes(router_, *context_);
+    add_asset_routes(router_);
+  }
   keys_ = std::make_unique<KeyRing>(*store_, [this] { notifier_.all_changed(); });
-  add_login_routes(router_, *keys_);
+  if (options.role != Role::worker) add_login_routes(router_, *keys_);
   gate_ = std::make_unique<KeyGate>(*keys_, *store_, *pool_, login_page);
   router_.guard(*gate_);
   listener_->start(options.http_threads);
-  workers_->start(options.workers, options.worker_nice);
+  workers_->start(workers, options.worker_nice);
 }
 
 Service::~Service() {
@@ -173,7 +181,12 @@ void Service::follow_changes() {
     if (queued > 0) deadlines_->notify();
     if (ended > 0) callbacks_->notify();
   };
-  hooks.all = [this] { notifier_.all_changed(); };
+  hooks.all = [this] {
+    notifier_.all_changed();
+    workers_->notify(options_.workers);
+    deadlines_->notify();
+    callbacks_->notify();
+  };
   feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks));
 }
 

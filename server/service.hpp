@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "server/callbacks/callbacks.hpp"
@@ -20,9 +21,16 @@
 
 namespace bahnwerk::server {
 
+/// What a process does of the service. Only a shared store serves `api` and `worker`.
+enum class Role { all, api, worker };
+inline std::string_view to_string(Role role) {
+  return role == Role::all ? "all" : role == Role::api ? "api" : "worker";
+}
+
 struct ServiceOptions {
   std::string listen = "127.0.0.1:8080";
   std::string store = "sqlite:var/bahnwerk.db";
+  Role role = Role::all;  ///< api: plans nothing; worker: answers /healthz, /readyz and /metrics alone
   std::size_t store_reserve = std::size_t{8} << 20;  ///< bytes of disk set aside, so that a full disk can be emptied
   Retention retention;                               ///< how long ended jobs are kept
   std::size_t max_memory = 0;                        ///< bytes of the whole process, set when it starts; 0: no limit

@@ -46,7 +46,7 @@ std::string unknown_variable(const CLI::App& serve) {
   return "";
 }
 
-void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::string& level) {
+void add_serve(CLI::App& app, ServiceOptions& options, std::string& level) {
   const auto env = [](CLI::Option* option) { option->envname(variable_of(*option)); };
   env(app.add_option("--listen", options.listen,
                      "address to serve on; port 0 picks a free one; unix:PATH is a Unix socket")
@@ -87,7 +87,8 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
                      "*.NAME or *, at public addresses alone")
           ->delimiter(',')
           ->type_name("HOST"));
-  env(app.add_option("--store", options.store, "where jobs live: sqlite:PATH")->type_name("URL"));
+  env(app.add_option("--store", options.store, "where jobs live: sqlite:PATH, or postgresql://USER@HOST/DATABASE")
+          ->type_name("URL"));
   env(add_bytes(app, "--store-reserve", options.store_reserve,
                 "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "
                 "with a suffix: 8MiB",
@@ -117,8 +118,13 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
           ->default_str(""));
   env(add_seconds(app, "--max-planning-time", options.max_planning,
                   "of a plan, whatever its time_budget, then the job ends as budget-exhausted"));
-  env(app.add_option("--role", role, "all = serve and plan; api and worker need a store that processes share")
-          ->check(CLI::IsMember({"all", "api", "worker"})));
+  const std::map<std::string, Role> roles{{"all", Role::all}, {"api", Role::api}, {"worker", Role::worker}};
+  env(app.add_option("--role", options.role,
+                     "all = serve and plan; with a store that processes share, api = serve alone, and worker = plan, "
+                     "and answer /healthz, /readyz and /metrics alone")
+          ->transform(CLI::CheckedTransformer(roles).description("{all,api,worker}"))
+          ->type_name("TEXT")
+          ->default_str("all"));
   env(app.add_option("--http-threads", options.http_threads, "socket threads")->check(CLI::Range(1, 64)));
   env(app.add_option("--max-queued", options.max_queued, "waiting jobs before new ones are refused (429)")
           ->check(CLI::Range(1, 1'000'000'000)));
@@ -162,7 +168,7 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
           ->default_str("all"));
 }
 
-int run_serve(const CLI::App& app, const ServiceOptions& options, const std::string& role, const std::string& level) {
+int run_serve(const CLI::App& app, const ServiceOptions& options, const std::string& level) {
   if (const std::string name = unknown_variable(app); !name.empty()) {
     std::cerr << "bahnwerk: " << name << " is no setting; `bahnwerk serve --help` lists them\n";
     return exit_usage;
@@ -172,11 +178,6 @@ int run_serve(const CLI::App& app, const ServiceOptions& options, const std::str
                  : level == "warn"  ? Level::warn
                  : level == "error" ? Level::error
                                     : Level::info);
-  if (role != "all") {
-    std::cerr << "bahnwerk: --role " << role
-              << " needs a store that processes share; a SQLite file is owned by one process (use --role all)\n";
-    return exit_usage;
-  }
   if (options.max_memory < min_memory) {
     std::cerr << "bahnwerk: --max-memory " << options.max_memory << " is too little to serve; at least "
               << (min_memory >> 20) << "MiB are needed\n";
@@ -197,7 +198,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
   options.build = build;
   options.max_memory = default_memory_limit(memory_of_host());
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
-  std::string role = "all", level = "info", job, contour, out, id, format = "csv", layout, frame, key;
+  std::string level = "info", job, contour, out, id, format = "csv", layout, frame, key;
   std::string store = options.store, file;
   Remote remote;
   std::string name, scope = "submit,read";
@@ -207,7 +208,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
 
   CLI::App* serve_command =
       app.add_subcommand("serve", "runs the service; every flag also as environment variable BAHNWERK_...");
-  add_serve(*serve_command, options, role, level);
+  add_serve(*serve_command, options, level);
   const auto add_contour = [&](CLI::App* command) {
     command
         ->add_option("--contour", contour, "part program or drawing (.dxf) to take instead of the document's contour")
@@ -297,7 +298,9 @@ int run(int argc, char** argv, const BuildInfo& build) {
   health_command->add_flag("--ready", ready, "whether it takes jobs, too: its store answers, and it does not end");
   add_server(health_command);
   const auto add_store = [&](CLI::App* command) {
-    command->add_option("--store", store, "where jobs live: sqlite:PATH")->envname("BAHNWERK_STORE")->type_name("URL");
+    command->add_option("--store", store, "where jobs live: sqlite:PATH, or postgresql://USER@HOST/DATABASE")
+        ->envname("BAHNWERK_STORE")
+        ->type_name("URL");
   };
   CLI::App* backup_command = app.add_subcommand("backup", "copies the store into a file, also while the service runs");
   backup_command->add_option("file", file, "where the copy goes; it is replaced as a whole")->required();
@@ -361,7 +364,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
   try {
-    if (*serve_command) return run_serve(*serve_command, options, role, level);
+    if (*serve_command) return run_serve(*serve_command, options, level);
     if (*plan_command) return plan(read_job(job, contour), out, layout, frame, drives);
     if (*submit_command) return submit(remote, read_job(job, contour), key, wait, patience);
     if (*watch_command) return watch(remote, id, patience);

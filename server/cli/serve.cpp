@@ -10,6 +10,7 @@
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
 #include "server/runtime/supervisor.hpp"
+#include "server/store/store_url.hpp"
 
 namespace bahnwerk::server::cli {
 namespace {
@@ -74,7 +75,8 @@ int serve(const ServiceOptions& options) {
     return exit_usage;
   }
   log::info("listening", {{"address", service->address()},
-                          {"store", options.store},
+                          {"store", without_secrets(options.store)},
+                          {"role", std::string(to_string(options.role))},
                           {"workers", options.workers},
                           {"version", options.build.version},
                           {"pid", ::getpid()}});

@@ -105,7 +105,9 @@ Response answer_from_current_exception(const Request& request) {
           request.target);
     if (error.busy)
       return problem_answer(
-          api::Problem("store-unavailable", "Another program has locked the store; nothing of this request was kept."),
+          api::Problem(
+              "store-unavailable",
+              "The store cannot be used now: another program has locked it, or its server is away. Try again."),
           request.target);
     return internal("The store failed; nothing of this request was kept.");
   } catch (const std::bad_alloc&) {

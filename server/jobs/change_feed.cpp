@@ -36,9 +36,12 @@ void ChangeFeed::ask() {
 void ChangeFeed::ask_all() {
   for (;;) {
     const Changes changes = source_.changes_since(seen_, at_once);
+    if (changes.gap) {
+      if (changes.list.empty()) seen_ = source_.last_change();  // before the look: what comes during it is asked for
+      hooks_.all();
+    }
     if (changes.list.empty()) return;
     seen_ = changes.list.back().sequence;
-    if (changes.gap) hooks_.all();
     hooks_.changed(changes.list);
     if (changes.list.size() < at_once) return;
   }

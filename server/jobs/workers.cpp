@@ -15,7 +15,7 @@
 namespace bahnwerk::server {
 namespace {
 
-constexpr std::chrono::seconds idle_time{1};
+constexpr std::chrono::seconds idle_time{1}, longest_rest{5};
 
 }  // namespace
 
@@ -138,7 +138,11 @@ void Workers::rest(std::unique_lock<std::mutex>& lock, const std::function<bool(
     give_back_planning_memory();
     lock.lock();
   }
-  wake_.wait(lock, due);
+  // Where processes share the store, the job that was looked for may have been in another's hand.
+  if (lease_)
+    wake_.wait_for(lock, longest_rest, due);
+  else
+    wake_.wait(lock, due);
 }
 
 /// Plans, after the rest of a check that was stopped at POST.

@@ -1,7 +1,7 @@
-# Writes the numbered SQL files into one C++ file: 0001_jobs.sql is version 1, without gaps.
+# Writes the numbered SQL files into one C++ file, as the function NAME that HEADER declares: 0001_jobs.sql is version 1, without gaps.
 list(SORT FILES)
-set(text "// Made from server/store/migrations/*.sql at build time.\n#include \"server/store/sqlite/migrate.hpp\"\n\nnamespace bahnwerk::server {\n")
-string(APPEND text "std::span<const Migration> migrations() {\n  static const Migration list[] = {\n")
+set(text "// Made from the numbered SQL files at build time.\n#include \"${HEADER}\"\n\nnamespace bahnwerk::server {\n")
+string(APPEND text "std::span<const Migration> ${NAME}() {\n  static const Migration list[] = {\n")
 set(expected 1)
 foreach(file ${FILES})
   get_filename_component(name ${file} NAME_WE)

@@ -2,15 +2,20 @@
 
 #include <filesystem>
 
+#include "server/store/postgres/commands.hpp"
+#include "server/store/postgres/postgres_store.hpp"
+#include "server/store/sqlite/commands.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
+#include "server/store/store_url.hpp"
 
 namespace bahnwerk::server {
 
 void check_store(const std::string& url) {
-  if (url.starts_with("postgresql:") || url.starts_with("postgres:"))
-    throw StoreError("PostgreSQL is not available in this version; use sqlite:PATH", false);
+  if (names_postgres(url)) return;
   if (!url.starts_with("sqlite:") || url.size() == 7)
-    throw StoreError("unsupported store '" + url + "'; expected sqlite:PATH, for example sqlite:var/bahnwerk.db",
+    throw StoreError("unsupported store '" + without_secrets(url) +
+                         "'; expected sqlite:PATH, for example sqlite:var/bahnwerk.db, or "
+                         "postgresql://USER@HOST/DATABASE",
                      false);
 }
 
@@ -31,6 +36,14 @@ std::string prepared_path(const std::string& url) {
 
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
                                   std::size_t reserve, const Retention& retention) {
+  check_store(url);
+  if (names_postgres(url)) {
+    PostgresOptions options;
+    options.url = url;
+    options.retention = retention;
+    if (observer) options.observer = std::move(observer);
+    return std::make_unique<PostgresStore>(std::move(options));
+  }
   SqliteOptions options;
   options.path = prepared_path(url);
   options.observer = std::move(observer);
@@ -45,6 +58,29 @@ std::unique_ptr<Store> open_store(const std::string& url, std::function<void(dou
                          "; choose a smaller --store-reserve",
                      false);
   return std::make_unique<SqliteStore>(std::move(options));
+}
+
+BackUp back_up(const std::string& url, const std::string& file) {
+  if (names_postgres(url))
+    throw StoreError(
+        "a PostgreSQL store is backed up by PostgreSQL's own tools: pg_basebackup with an archive, or pg_dump", false);
+  return sqlite::back_up(url, file);
+}
+
+std::vector<std::string> inspect(const std::string& url) {
+  return names_postgres(url) ? postgres::inspect(url) : sqlite::inspect(url);
+}
+
+void add_key(const std::string& url, const Key& key) {
+  names_postgres(url) ? postgres::add_key(url, key) : sqlite::add_key(url, key);
+}
+
+std::vector<Key> remove_keys(const std::string& url, const std::string& name_or_id) {
+  return names_postgres(url) ? postgres::remove_keys(url, name_or_id) : sqlite::remove_keys(url, name_or_id);
+}
+
+std::vector<Key> list_keys(const std::string& url) {
+  return names_postgres(url) ? postgres::list_keys(url) : sqlite::list_keys(url);
 }
 
 }  // namespace bahnwerk::server

@@ -12,13 +12,12 @@ namespace bahnwerk::server {
 /// Throws StoreError unless open_store accepts such a URL; opens nothing.
 void check_store(const std::string& url);
 
-/// Returns the path of a store's file, whatever links lead to it; makes its folder. Throws StoreError.
+/// Returns the path of an SQLite store's file, whatever links lead to it; makes its folder. Throws StoreError.
 std::string prepared_path(const std::string& url);
 
-/// Opens the store named by a URL: sqlite:PATH (a missing directory is created). `observer` receives every commit
-/// (seconds, writes); `reserve` bytes of disk are set aside for a full one; ended jobs are kept as `retention` says.
-/// Throws StoreError with a sentence for the
-/// operator.
+/// Opens the store named by a URL: sqlite:PATH (a missing directory is created), or a connection URI of PostgreSQL.
+/// `observer` receives every commit (seconds, writes); `reserve` bytes of disk are set aside for a full one, in a file
+/// beside SQLite's; ended jobs are kept as `retention` says. Throws StoreError with a sentence for the operator.
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
                                   std::size_t reserve = 0, const Retention& retention = {});
 
@@ -27,7 +26,7 @@ struct BackUp {
 };
 /// Copies the store named by a URL into `file`, readable by its owner alone, as it is at one moment: jobs that are
 /// accepted meanwhile do not delay it. The file appears when it is complete, in place of an older one. Throws
-/// StoreError with a sentence for the operator.
+/// StoreError with a sentence for the operator, also for a PostgreSQL store, which has tools of its own.
 BackUp back_up(const std::string& url, const std::string& file);
 
 /// Returns what is wrong with the store named by a URL, in sentences: damaged pages, jobs without their document,

@@ -11,6 +11,9 @@ namespace bahnwerk::server {
 /// the lost one that were never stored; whoever takes the job up again continues far above them.
 inline constexpr std::int64_t lost_leap = 1 << 20;
 
+/// Removals whose changes a store remembers, at least; whoever asks from before them looks at all jobs.
+inline constexpr std::int64_t kept_removals = 1024;
+
 /// The state into which a job goes, and its error: a problem document, empty where there is none.
 struct Fate {
   api::JobState state;

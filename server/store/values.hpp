@@ -13,7 +13,8 @@
 
 namespace bahnwerk::server {
 
-/// The store failed; no part of the call was stored. `full`: no space left; `busy`: another program has it locked.
+/// The store failed; no part of the call was stored, but for a server that went away during it. `full`: no space left;
+/// `busy`: another program has it locked, or its server is away.
 struct StoreError : std::runtime_error {
   StoreError(const std::string& what, bool no_space, bool locked = false)
       : std::runtime_error(what), full(no_space), busy(locked) {}
@@ -23,7 +24,7 @@ struct StoreError : std::runtime_error {
 /// The room that a store takes, and the age of its queue.
 struct StoreStatus {
   double bytes = 0, log_bytes = 0;            ///< of the jobs, and of what was not moved to them yet
-  double free_bytes = 0;                      ///< bytes that may still be written
+  double free_bytes = 0;                      ///< bytes that may still be written; infinity: unknown
   std::optional<std::int64_t> oldest_queued;  ///< when the job that waits longest was posted, ms since 1970 UTC
   std::size_t callbacks = 0;                  ///< callbacks that are to be delivered
 };
@@ -94,7 +95,8 @@ struct Ending {
 
 /// Properties of a stored series; its rows are read by Store::read_chunk.
 struct SeriesInfo {
-  std::int64_t key = 0;
+  std::string id;        ///< of the job
+  std::int64_t key = 0;  ///< by which the store finds the series, beside the id
   std::vector<Column> columns;
   std::size_t count = 0, chunk_rows = 0;
   double cycle_time = 0;

@@ -65,7 +65,8 @@ refused() { # words, then the command
   expect_equal "$(code_of timeout 20 "$@")" 2 "$words"
   grep -q -- "$words" "$work/err" || fail "expected a sentence with '$words', got: $(cat "$work/err")"
 }
-refused "not available in this version" "$bahnwerk" serve --store postgresql://localhost/x
+refused "server cannot be reached" "$bahnwerk" serve --listen 127.0.0.1:0 --store "postgresql://me:secret@/x?host=$work"
+grep -q secret "$work/err" && fail "the password of the store was printed"
 refused "unsupported store" "$bahnwerk" serve --listen 127.0.0.1:0 --store /tmp/x.db
 refused "is no address" "$bahnwerk" serve --listen nonsense --store "sqlite:$work/a.db"
 refused "is no port" "$bahnwerk" serve --listen 127.0.0.1:99999 --store "sqlite:$work/a.db"

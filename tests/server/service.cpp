@@ -378,7 +378,7 @@ TEST_F(ServiceTest, SaysWhyItCannotStart) {
   EXPECT_THROW(Service(second, stub_engine()), std::runtime_error);
   second.listen = "nonsense";
   EXPECT_THROW(Service(second, stub_engine()), std::runtime_error);
-  second.store = "postgresql://x";
+  second.store = "postgresql:x";
   EXPECT_THROW(Service(second, stub_engine()), StoreError);
 }
 

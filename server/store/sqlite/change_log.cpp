@@ -1,15 +1,10 @@
 #include "server/store/sqlite/change_log.hpp"
 
+#include "server/store/rules.hpp"
 #include "server/store/sqlite/connection.hpp"
 #include "server/store/values.hpp"
 
 namespace bahnwerk::server {
-namespace {
-
-constexpr std::int64_t kept_removals = 1024;
-
-}  // namespace
-
 void ChangeLog::open(SqliteConnection& connection) { last_ = static_cast<std::int64_t>(last_change(connection)); }
 
 void ChangeLog::note(std::int64_t number, const std::string& id, std::optional<api::JobState> state, bool cancelled) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "server/runtime/clock.hpp"
-#include "server/store/open.hpp"
+#include "server/store/sqlite/commands.hpp"
 #include "server/store/sqlite/file_lock.hpp"
 #include "server/store/sqlite/migrate.hpp"
 #include "server/store/sqlite/reader.hpp"
@@ -74,6 +74,8 @@ std::optional<Keys> SqliteStore::keys(std::uint64_t known) {
   return keys;
 }
 
+namespace sqlite {
+
 void add_key(const std::string& url, const Key& key) {
   change(url, [&](SqliteConnection& connection) {
     (connection.query("INSERT INTO keys (id, name, scopes, hash, max_queued, max_planning_ms, created_at) "
@@ -107,4 +109,5 @@ std::vector<Key> list_keys(const std::string& url) {
   return read_keys(connection);
 }
 
+}  // namespace sqlite
 }  // namespace bahnwerk::server

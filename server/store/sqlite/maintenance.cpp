@@ -10,7 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "server/store/open.hpp"
+#include "server/store/sqlite/commands.hpp"
 #include "server/store/sqlite/connection.hpp"
 #include "server/store/sqlite/migrate.hpp"
 
@@ -54,6 +54,8 @@ struct Part {
 };
 
 }  // namespace
+
+namespace sqlite {
 
 BackUp back_up(const std::string& url, const std::string& file) {
   const std::string path = path_of(url);
@@ -120,4 +122,5 @@ std::vector<std::string> inspect(const std::string& url) {
   return faults;
 }
 
+}  // namespace sqlite
 }  // namespace bahnwerk::server

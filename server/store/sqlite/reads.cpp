@@ -1,12 +1,12 @@
 /// SqliteStore: the calls that only read.
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "server/store/codec.hpp"
+#include "server/store/series_pieces.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/rows.hpp"
-#include "server/store/sqlite/unpacking.hpp"
+#include "server/store/unpacking.hpp"
 
 namespace bahnwerk::server {
 std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_document) {
@@ -84,27 +84,15 @@ std::optional<SeriesInfo> SqliteStore::series(const std::string& id) {
       "SELECT seq, columns, row_count, chunk_rows, cycle_time, views FROM results JOIN jobs USING (seq) WHERE id = ?");
   row << id;
   if (!row.step() || row.null(1)) return std::nullopt;
-  return unpacking([&] {
-    SeriesInfo info;
-    info.key = row.integer(0);
-    const auto stored = nlohmann::json::parse(row.text(1));
-    if (stored.contains("origin")) {
-      const auto& origin = stored.at("origin");
-      info.pose_frame = PoseFrame{origin.at(0), origin.at(1), origin.at(2), stored.at("angle")};
-    }
-    for (const auto& column : stored.is_object() ? stored.at("columns") : stored)
-      info.columns.push_back({column.at("name").get<std::string>(), column.at("unit").get<std::string>()});
-    info.count = static_cast<std::size_t>(row.integer(2));
-    info.chunk_rows = static_cast<std::size_t>(row.integer(3));
-    info.cycle_time = row.number(4);
-    info.views = static_cast<int>(row.integer(5));
-    info.independent.step = info.cycle_time;
-    if (stored.contains("independent")) {
-      const auto& over = stored.at("independent");
-      info.independent = {over.at(0).get<std::string>(), over.at(1).get<std::string>(), over.at(2).get<double>()};
-    }
-    return info;
-  });
+  SeriesInfo info;
+  info.id = id;
+  info.key = row.integer(0);
+  info.count = static_cast<std::size_t>(row.integer(2));
+  info.chunk_rows = static_cast<std::size_t>(row.integer(3));
+  info.cycle_time = row.number(4);
+  info.views = static_cast<int>(row.integer(5));
+  read_series_columns(row.text(1), info);
+  return info;
 }
 
 void SqliteStore::read_chunk(const SeriesInfo& series, std::size_t first_row, std::vector<double>& out) {

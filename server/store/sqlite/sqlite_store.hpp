@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "server/runtime/uuid7.hpp"
+#include "server/store/packed_text.hpp"
 #include "server/store/rules.hpp"
 #include "server/store/sqlite/change_log.hpp"
 #include "server/store/sqlite/connection.hpp"
@@ -77,9 +78,9 @@ class SqliteStore final : public Store {
 
  private:
   class Reader;  ///< a borrowed reading connection
-  class Text;    ///< a text in a column
   static constexpr std::size_t max_expired_at_once =
       256;  ///< largest number of expired jobs per transaction, since others wait for it
+  PackedPart part_of(BlobColumn column, std::int64_t seq);  ///< reads parts of a text in a column
   Inserted insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; returns their jobs.

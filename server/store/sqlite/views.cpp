@@ -1,15 +1,11 @@
 #include "server/store/sqlite/views.hpp"
 
 #include "server/store/codec.hpp"
+#include "server/store/series_pieces.hpp"
 #include "server/store/sqlite/reader.hpp"
-#include "server/store/sqlite/unpacking.hpp"
+#include "server/store/unpacking.hpp"
 
 namespace bahnwerk::server {
-
-api::ViewPart packed(api::ViewPart part, Compressor& compressor) {
-  part.bytes = compressor.text(part.bytes);
-  return part;
-}
 
 void insert_views(SqliteConnection& connection, std::int64_t seq, const std::vector<api::ViewPart>& parts) {
   for (const api::ViewPart& part : parts) {

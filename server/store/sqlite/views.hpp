@@ -7,13 +7,10 @@
 
 namespace bahnwerk::server {
 
-class Compressor;
 class SqliteConnection;
 
 /// Bytes that a part takes in the tables beside its data.
 inline constexpr std::size_t view_row = 64;
-/// Returns the part with its bytes compressed.
-api::ViewPart packed(api::ViewPart part, Compressor& compressor);
 /// Inserts compressed parts, or replaces those that exist.
 void insert_views(SqliteConnection& connection, std::int64_t seq, const std::vector<api::ViewPart>& parts);
 

@@ -28,7 +28,7 @@ TEST(OpenStore, AMissingFolderIsMadeAndCommitsAreObserved) {
 }
 
 TEST(OpenStore, OtherUrlsAreRefusedWithWhatToWrite) {
-  for (const char* url : {"", "sqlite:", "mysql:x", "jobs.db", "postgresql://host/db"})
+  for (const char* url : {"", "sqlite:", "mysql:x", "jobs.db", "postgresql:host"})
     EXPECT_NE(refusal(url).find("sqlite:PATH"), std::string::npos) << url;
 }
 

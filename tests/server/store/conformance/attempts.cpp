@@ -9,7 +9,7 @@ using api::JobState;
 
 template <class S>
 struct Attempts : Conformance<S> {};
-TYPED_TEST_SUITE(Attempts, Stores);
+TYPED_TEST_SUITE(Attempts, Stores, StoreNames);
 
 TYPED_TEST(Attempts, ClaimsByPriorityThenInOrder) {
   auto& store = this->here;

@@ -22,7 +22,7 @@ struct StoredCallbacks : Conformance<S> {
   }
   std::vector<std::string> due() { return due("r"); }
 };
-TYPED_TEST_SUITE(StoredCallbacks, Stores);
+TYPED_TEST_SUITE(StoredCallbacks, Stores, StoreNames);
 
 TYPED_TEST(StoredCallbacks, AreDueWithTheEndOfTheJobWhateverEndsIt) {
   using Ids = std::vector<std::string>;
@@ -59,7 +59,7 @@ TYPED_TEST(StoredCallbacks, AreDueWithTheEndOfTheJobWhateverEndsIt) {
 TYPED_TEST(StoredCallbacks, OfAJobWhoseWorkersWereLostAreDue) {
   const auto id = this->insert_with("r");
   for (int k = 0; k < max_losses_alone; ++k) {
-    ASSERT_TRUE(claim(*this->here, 0));
+    ASSERT_TRUE(claim(*this->here, 0, "worker", 500));
     this->restart();
     this->here->expire(std::numeric_limits<std::int64_t>::max() - 1);
   }

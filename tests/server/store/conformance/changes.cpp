@@ -9,7 +9,7 @@ using api::JobState;
 
 template <class S>
 struct ChangesSince : Conformance<S> {};
-TYPED_TEST_SUITE(ChangesSince, Stores);
+TYPED_TEST_SUITE(ChangesSince, Stores, StoreNames);
 
 using State = std::optional<JobState>;
 

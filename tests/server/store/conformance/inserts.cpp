@@ -7,7 +7,7 @@ using api::JobState;
 
 template <class S>
 struct Inserts : Conformance<S> {};
-TYPED_TEST_SUITE(Inserts, Stores);
+TYPED_TEST_SUITE(Inserts, Stores, StoreNames);
 
 TYPED_TEST(Inserts, KeepsEverythingOfAJob) {
   auto& store = this->here;

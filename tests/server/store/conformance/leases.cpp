@@ -11,7 +11,7 @@ using api::JobState;
 
 template <class S>
 struct Leases : Conformance<S> {};
-TYPED_TEST_SUITE(Leases, Stores);
+TYPED_TEST_SUITE(Leases, Stores, StoreNames);
 
 TYPED_TEST(Leases, GiveTheJobToAnotherWhenTheyRunOut) {
   auto& store = this->here;

@@ -21,7 +21,7 @@ struct Lists : Conformance<S> {
     return names;
   }
 };
-TYPED_TEST_SUITE(Lists, Stores);
+TYPED_TEST_SUITE(Lists, Stores, StoreNames);
 
 TYPED_TEST(Lists, FindTagsOfAllAndOfOneOwner) {
   this->insert_one("a", {}, {"x", "y"});

@@ -7,7 +7,7 @@ using api::JobState;
 
 template <class S>
 struct Looks : Conformance<S> {};
-TYPED_TEST_SUITE(Looks, Stores);
+TYPED_TEST_SUITE(Looks, Stores, StoreNames);
 
 TYPED_TEST(Looks, PagesFromTheNewest) {
   auto& store = this->here;

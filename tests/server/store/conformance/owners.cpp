@@ -5,7 +5,7 @@ namespace {
 
 template <class S>
 struct Owners : Conformance<S> {};
-TYPED_TEST_SUITE(Owners, Stores);
+TYPED_TEST_SUITE(Owners, Stores, StoreNames);
 
 NewJob owned(const std::string& owner, int priority = 0) {
   NewJob job = new_job(priority);

@@ -7,7 +7,7 @@ using api::JobState;
 
 template <class S>
 struct Series : Conformance<S> {};
-TYPED_TEST_SUITE(Series, Stores);
+TYPED_TEST_SUITE(Series, Stores, StoreNames);
 
 TYPED_TEST(Series, GivesBackEveryRowAcrossChunks) {
   auto& store = this->here;

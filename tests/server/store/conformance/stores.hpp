@@ -1,13 +1,16 @@
 #pragma once
 /// What every store must hold. A store comes with a trait that makes it: add yours to Stores.
 #include "../fixture.hpp"
+#include "../postgres_server.hpp"
 
 namespace bahnwerk::server {
 
 /// One database, empty at first. `one` and `other` are two processes' views of it, the same object where a second
 /// process may not have it.
 struct SqliteStores {
+  static constexpr const char* name = "Sqlite";
   static constexpr bool restart_ends_leases = true;  ///< else they run out in their time
+  static bool missing() { return false; }
   SqliteStores() { restart(); }
   void restart() {
     store.reset();
@@ -20,21 +23,57 @@ struct SqliteStores {
   std::unique_ptr<Store> store;
 };
 
-using Stores = testing::Types<SqliteStores>;
+struct PostgresStores {
+  static constexpr const char* name = "Postgres";
+  static constexpr bool restart_ends_leases = false;
+  static bool missing() { return PostgresServer::missing(); }
+  PostgresStores() { restart(); }
+  ~PostgresStores() {
+    first.reset();
+    second.reset();
+    PostgresServer::one().drop_database(url);
+  }
+  void restart() {
+    first.reset();
+    second.reset();
+    const PostgresOptions options{.url = url, .patience = PostgresServer::patient(), .times_of_callers = true};
+    first = std::make_unique<PostgresStore>(options);
+    second = std::make_unique<PostgresStore>(options);
+  }
+  Store& one() { return *first; }
+  Store& other() { return *second; }
+
+  const std::string url = PostgresServer::one().make_database();
+  std::unique_ptr<Store> first, second;
+};
+
+using Stores = testing::Types<SqliteStores, PostgresStores>;
+struct StoreNames {
+  template <class S>
+  static std::string GetName(int) {
+    return S::name;
+  }
+};
 
 template <class S>
 struct Conformance : testing::Test {
+  void SetUp() override {
+    if (S::missing()) GTEST_SKIP() << "its server is not installed";
+    stores.emplace();
+    here = &stores->one();
+    other = &stores->other();
+  }
   void restart() {
-    stores.restart();
-    here = &stores.one();
-    other = &stores.other();
+    stores->restart();
+    here = &stores->one();
+    other = &stores->other();
   }
   void queue(int count) {
     for (int i = 0; i < count; ++i) insert_id(*here);
   }
-  S stores;
-  Store* here = &stores.one();
-  Store* other = &stores.other();
+  std::optional<S> stores;
+  Store* here = nullptr;
+  Store* other = nullptr;
   SilentProgress silent;
 };
 

@@ -1,0 +1,236 @@
+/// PostgresStore: the calls of workers, from claim to end, and the steps of the state machine. Each step is one
+/// statement, whose fence is the state and the token in the job's row.
+#include <algorithm>
+#include <set>
+
+#include "server/runtime/uuid7.hpp"
+#include "server/store/codec.hpp"
+#include "server/store/postgres/job_rows.hpp"
+#include "server/store/postgres/postgres_store.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+using api::JobState;
+
+/// Isolation: READ COMMITTED; SKIP LOCKED gives no row to two. MATERIALIZED is necessary: planned into the update, the
+/// query could lock more rows than its limit. A suspect waits until nothing else runs in the worker's process, and the
+/// others until it has ended.
+std::string claim_statement() {
+  return std::string(
+             "WITH next AS MATERIALIZED (SELECT id, suspect FROM jobs WHERE state = 'queued' AND needs <= $5 "
+             "ORDER BY rank, turn, id LIMIT 1 FOR UPDATE SKIP LOCKED), "
+             "mine AS (SELECT count(*) AS number, coalesce(bool_or(suspect), false) AS suspects FROM runs "
+             "WHERE worker = $1), "
+             "job AS (UPDATE jobs SET state = 'running', attempt = attempt + 1, token = token + 1, started_at = $2, "
+             "revision = revision + 1 FROM next, mine WHERE jobs.id = next.id AND (mine.number = 0 OR NOT "
+             "(next.suspect OR mine.suspects)) RETURNING jobs.*), "
+             "run AS (INSERT INTO runs (id, token, worker, lease_until, lease_ms, suspect) SELECT id, token, $1, "
+             "CASE WHEN $4 IS NULL THEN 'infinity' ELSE coalesce($3, clock_timestamp()) + $4 * interval '1 ms' END, "
+             "$4, suspect FROM job), "
+             "told AS (INSERT INTO changes (id, owner) SELECT id, owner FROM job), "
+             "counted AS (INSERT INTO count_deltas (state, owner, jobs) SELECT s.state, coalesce(job.owner, ''), "
+             "s.jobs FROM job, (VALUES ('queued', -1), ('running', 1)) AS s (state, jobs)) SELECT ")
+      .append(postgres_job_columns)
+      .append(" FROM job AS j LEFT JOIN runs AS r ON r.id = j.id");
+}
+
+/// What follows the update of `jobs`, which the step's `job` is: the attempt is over, others hear of it, and the counts
+/// follow.
+constexpr std::string_view step_end =
+    "told AS (INSERT INTO changes (id, owner) SELECT id, owner FROM job), "
+    "counted AS (INSERT INTO count_deltas (state, owner, jobs) SELECT s.state, coalesce(job.owner, ''), s.jobs "
+    "FROM job, (VALUES ($2, -1), ($4, 1)) AS s (state, jobs)), "
+    "run AS (DELETE FROM runs USING job WHERE runs.id = job.id) "
+    "SELECT count(*) FROM job";
+
+constexpr std::string_view fence =
+    "FROM (SELECT $1 AS id) AS key LEFT JOIN runs AS r ON r.id = key.id WHERE jobs.id = key.id AND state = $2 AND "
+    "jobs.token = coalesce($3, jobs.token) AND cancel_requested = coalesce($8 = 1, cancel_requested) ";
+
+/// Returns a name for a call, by which its effect is known.
+std::string call_name() {
+  thread_local Uuid7 names;
+  return names.next(0);
+}
+
+/// $1 id, $2 state, $3 token, $4 next state, $5 time, $6 revision seen, $7 leap, $8 cancellation, $9 error, $10 name of
+/// the call, $11 result.
+const std::string& end_statement() {
+  static const std::string sql =
+      std::string(
+          "WITH job AS (UPDATE jobs SET state = $4, error = $9, finished_at = $5, ended_by = $10, "
+          "revision = greatest(jobs.revision, r.revision, $6) + $7, fraction = coalesce(r.fraction, jobs.fraction), "
+          "stage = coalesce(r.stage, jobs.stage), message = coalesce(r.message, jobs.message), "
+          "callback_due = CASE WHEN callback_receiver IS NOT NULL THEN $5 END ")
+          .append(fence)
+          .append(
+              "RETURNING jobs.id, jobs.owner, jobs.token, started_at, finished_at), "
+              "result AS (INSERT INTO results (id, token, document) SELECT id, token, $11 FROM job WHERE $11 IS NOT "
+              "NULL), "
+              "left_over AS (INSERT INTO leftovers (id, token) SELECT id, token FROM job WHERE $2 = 'running' "
+              "ON CONFLICT DO NOTHING), "
+              "spent AS (INSERT INTO planning_use (owner, day, ms) SELECT owner, floor(extract(epoch FROM finished_at) "
+              "/ 86400)::bigint, greatest(0, (extract(epoch FROM finished_at - started_at) * 1000)::bigint) FROM job "
+              "WHERE owner IS NOT NULL AND $2 = 'running' ON CONFLICT (owner) DO UPDATE SET ms = CASE WHEN "
+              "planning_use.day = excluded.day THEN planning_use.ms ELSE 0 END + excluded.ms, day = excluded.day), ")
+          .append(step_end);
+  return sql;
+}
+
+/// $1 to $8 as in end_statement(), where $5 is the number of attempts that are not counted; $9 losses.
+const std::string& queue_statement() {
+  static const std::string sql =
+      std::string(
+          "WITH job AS (UPDATE jobs SET state = $4, error = NULL, started_at = NULL, attempt = attempt - $5::int, "
+          "fraction = 0, stage = '', message = '', revision = greatest(jobs.revision, r.revision, $6) + $7, "
+          "suspect = jobs.suspect OR $9 IS NOT NULL, losses = coalesce($9, losses) ")
+          .append(fence)
+          .append(
+              "RETURNING jobs.id, jobs.owner, jobs.token), "
+              "left_over AS (INSERT INTO leftovers (id, token) SELECT id, token FROM job ON CONFLICT DO NOTHING), ")
+          .append(step_end);
+  return sql;
+}
+
+}  // namespace
+
+PostgresStatement PostgresStore::lock_of(const std::string& id) {
+  return {"SELECT state FROM jobs WHERE id = $1 FOR UPDATE", PostgresParameters().uuid(id)};
+}
+
+PostgresStatement PostgresStore::statement_of(const Step& step) {
+  const bool queued = step.to.state == JobState::queued;
+  PostgresParameters values;
+  values.uuid(step.id) << api::to_string(step.from) << step.token << api::to_string(step.to.state);
+  if (queued)
+    values << step.not_made;
+  else
+    values.time(step.now);
+  values << static_cast<std::int64_t>(step.seen) << step.leap;
+  values << (step.cancel_requested ? std::optional<std::int64_t>(*step.cancel_requested ? 1 : 0) : std::nullopt);
+  if (queued)
+    values << step.losses;
+  else
+    (values << step.to.error).uuid(step.ended_by).bytes(step.result);
+  return {queued ? queue_statement() : end_statement(), std::move(values)};
+}
+
+/// Makes the step in a transaction of its own; returns false, without a change, if the job is in another state or
+/// attempt. Where its answer was lost it is asked for again, by the name of the call.
+bool PostgresStore::leave(const Step& step) {
+  bool lost = false;
+  for (int attempt = 1;; ++attempt) {
+    try {
+      const bool left = writing([&](PostgresConnection& connection) {
+        if (connection.run_all({statement_of(step)}).at(0).integer(0, 0) == 1) return true;
+        return lost && step.ended_by &&
+               !connection
+                    .run("SELECT 1 FROM jobs WHERE id = $1 AND ended_by = $2",
+                         PostgresParameters().uuid(step.id).uuid(step.ended_by))
+                    .empty();
+      });
+      if (left) publish({{.id = step.id, .state = step.to.state}});
+      return left;
+    } catch (const StoreAway&) {
+      if (!step.ended_by || attempt == 3) throw;
+      lost = true;
+    }
+  }
+}
+
+std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
+  static const std::string sql = claim_statement();
+  std::optional<api::Job> job;
+  const auto length = lease.until == Lease::forever ? std::nullopt : std::optional(lease.until - lease.now);
+  const auto take = [&] {
+    writing([&](PostgresConnection& connection) {
+      PostgresParameters values;
+      (values << lease.worker).time(lease.now).time(clock(lease.now)) << length << std::int64_t{options_.engine};
+      const auto rows = connection.run(sql, values);
+      if (!rows.empty()) job = job_from(rows, 0);
+    });
+  };
+  {
+    const std::lock_guard lock(claim_mutex_);
+    take();
+    if (!job && !lose(lease.now).empty()) take();
+  }
+  if (!job) return job;
+  publish({{.id = job->id, .state = JobState::running}});
+  // By the id alone, so that its partition is known.
+  reading([&](PostgresConnection& connection) {
+    const auto spec =
+        connection.run_lengthy("SELECT document, checked FROM specs WHERE id = $1", PostgresParameters().uuid(job->id));
+    if (spec.empty()) throw StoreError("store: a job without its document", false);
+    job->request.document = unpack_text(spec.bytes(0, 0));
+    job->request.checked = spec.flag(0, 1);
+  });
+  return job;
+}
+
+/// Fence: token and worker. One statement for all attempts, not waited for until it is on the disk.
+std::vector<Attempt> PostgresStore::heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) {
+  std::vector<Attempt> over;
+  if (attempts.empty()) return over;
+  std::vector<std::string> ids;
+  std::vector<std::int64_t> tokens;
+  for (const Attempt& attempt : attempts) {
+    ids.push_back(attempt.id);
+    tokens.push_back(attempt.token);
+  }
+  const auto length = lease.until == Lease::forever ? std::nullopt : std::optional(lease.until - lease.now);
+  std::set<std::pair<std::string, std::int64_t>> held;
+  with_connection(true, [&](PostgresConnection& connection) {
+    PostgresParameters values;
+    values.uuids(ids).integers(tokens).time(clock(lease.now)) << length << lease.worker;
+    const auto rows = connection.run_all(
+        {{"SELECT set_config('synchronous_commit', 'off', true)"},
+         {"UPDATE runs SET lease_until = CASE WHEN $4 IS NULL THEN 'infinity' ELSE coalesce($3, clock_timestamp()) + "
+          "$4 * interval '1 ms' END, lease_ms = $4 FROM unnest($1, $2) AS held (id, token) WHERE runs.id = held.id AND "
+          "runs.token = held.token AND worker = $5 RETURNING runs.id, runs.token",
+          std::move(values)}});
+    held.clear();
+    for (std::size_t row = 0; row < rows[1].size(); ++row) held.emplace(rows[1].uuid(row, 0), rows[1].integer(row, 1));
+  });
+  for (const Attempt& attempt : attempts)
+    if (!held.contains({attempt.id, attempt.token})) over.push_back(attempt);
+  return over;
+}
+
+bool PostgresStore::end(const Attempt& attempt, const Ending& ending) {
+  return leave({.id = attempt.id,
+                .from = JobState::running,
+                .token = attempt.token,
+                .to = {ending.state, ending.error},
+                .now = ending.now,
+                .seen = ending.revision,
+                .ended_by = call_name(),
+                .result = ending.result.empty() ? std::nullopt : std::optional(pack_text(ending.result))});
+}
+
+/// Which of the two steps is made is decided under the lock of the job's row: a cancellation comes before it or after.
+bool PostgresStore::requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) {
+  Statements statements{lock_of(attempt.id)};
+  std::vector<Fate> fates;
+  for (const bool cancelled : {false, true}) {
+    fates.push_back(after_requeue(attempt.id, cancelled));
+    statements.push_back(statement_of({.id = attempt.id,
+                                       .from = JobState::running,
+                                       .token = attempt.token,
+                                       .cancel_requested = cancelled,
+                                       .to = fates.back(),
+                                       .now = now,
+                                       .seen = revision,
+                                       .not_made = 1}));
+  }
+  const auto rows = writing([&](PostgresConnection& connection) { return connection.run_all(statements); });
+  for (std::size_t k = 0; k < fates.size(); ++k) {
+    if (rows[k + 1].integer(0, 0) == 0) continue;
+    publish({{.id = attempt.id, .state = fates[k].state}});
+    return true;
+  }
+  return false;
+}
+
+}  // namespace bahnwerk::server

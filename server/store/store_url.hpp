@@ -1,0 +1,13 @@
+#pragma once
+/// Names of stores: sqlite:PATH, or a connection URI of PostgreSQL.
+#include <string>
+#include <string_view>
+
+namespace bahnwerk::server {
+
+bool names_postgres(std::string_view url);
+
+/// Returns the URL without passwords, as it may be printed: that of the user, and those among its parameters.
+std::string without_secrets(std::string_view url);
+
+}  // namespace bahnwerk::server
