@@ -65,7 +65,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                                 .proxies = TrustedProxies(options.trusted_proxies)});
   check_store(options.store);
   if (options.role != Role::all && !names_postgres(options.store))
-    throw std::runtime_error("--role " + std::string(to_string(options.role)) +
+    throw std::runtime_error("--role " + std::string(role_name(options.role)) +
                              " needs a store that processes share, postgresql://…; a SQLite file is owned by one "
                              "process (use --role all)");
   std::vector<api::MachineFile> machines = offered_machines(options.machines);

@@ -23,7 +23,7 @@ namespace bahnwerk::server {
 
 /// What a process does of the service. Only a shared store serves `api` and `worker`.
 enum class Role { all, api, worker };
-inline std::string_view to_string(Role role) {
+inline std::string_view role_name(Role role) {
   return role == Role::all ? "all" : role == Role::api ? "api" : "worker";
 }
 

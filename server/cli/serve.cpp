@@ -76,7 +76,7 @@ int serve(const ServiceOptions& options) {
   }
   log::info("listening", {{"address", service->address()},
                           {"store", without_secrets(options.store)},
-                          {"role", std::string(to_string(options.role))},
+                          {"role", std::string(role_name(options.role))},
                           {"workers", options.workers},
                           {"version", options.build.version},
                           {"pid", ::getpid()}});

@@ -22,7 +22,7 @@ constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 
 constexpr auto session =
     "SET statement_timeout = '30s'; SET lock_timeout = '2s'; SET idle_in_transaction_session_timeout = '10s'; "
-    "SET client_connection_check_interval = '2s'; SET search_path = bahnwerk";
+    "SET client_connection_check_interval = '2s'; SET jit = off; SET search_path = bahnwerk";
 
 template <class Number>
 void put(std::string& out, Number value) {

@@ -70,7 +70,12 @@ TEST_F(PostgresOnly, WhatACommandOffersIsRefusedWhereTheServerHasItsOwn) {
 }
 
 TEST_F(PostgresOnly, KeysAreAddedListedAndRemovedBesideTheStore) {
-  Key key{.id = "id", .name = "acme", .scopes = {.submit = true}, .hash = "hash", .created_at = 5};
+  Key key;
+  key.id = "id";
+  key.name = "acme";
+  key.scopes.submit = true;
+  key.hash = "hash";
+  key.created_at = 5;
   add_key(stores->url, key);
   const auto keys = stores->one().keys(0);
   ASSERT_TRUE(keys);

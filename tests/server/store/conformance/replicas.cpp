@@ -49,9 +49,9 @@ TYPED_TEST(Replicas, MakeOneJobOfPostsWithOneKeyAtOnce) {
   for (int round = 0; round < 10; ++round) {
     const std::string key = "key " + std::to_string(round);
     Inserted first, second;
-    std::thread other([&] { second = insert(*this->other, new_job(0, key, "body")); });
+    std::thread neighbour([&] { second = insert(*this->other, new_job(0, key, "body")); });
     first = insert(*this->here, new_job(0, key, "body"));
-    other.join();
+    neighbour.join();
     EXPECT_EQ(first.id, second.id);
     using What = Inserted::What;
     EXPECT_TRUE((first.what == What::created && second.what == What::replayed) ||
