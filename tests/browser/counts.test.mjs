@@ -11,7 +11,7 @@ function atMost(what, value, limit, list = []) {
 /** Opens a page with an empty cache and returns it when all is drawn. */
 async function opened(visit, path, selector) {
   const page = await visit(path);
-  await page.locator(selector).first().waitFor();
+  await page.locator(selector).filter({ visible: true }).first().waitFor();
   await page.quiet();
   return page;
 }

@@ -44,7 +44,9 @@ void expect_solids_are_obstacles(const PartObstacles& all, double size, double l
   for (std::size_t i = 0; i < all.list().size(); ++i) {
     const Solid solid = all.list()[i]->solid(tolerance);
     EXPECT_NEAR(norm(cross(solid.x, solid.y) - solid.z), 0, 1e-12);
-    if (!solid.outline.empty()) EXPECT_GT(area(solid.outline), 0) << all.name(i);
+    if (!solid.outline.empty()) {
+      EXPECT_GT(area(solid.outline), 0) << all.name(i);
+    }
     for (const auto& hole : solid.holes) EXPECT_LT(area(hole), 0) << all.name(i);
     for (int n = 0; n < 2000; ++n) {
       // Around the obstacle, so that small ones are hit.
