@@ -24,7 +24,7 @@ export class Visit {
     const shared = options.context && 'newPage' in options.context;
     visit.context = shared ? options.context : await browser.newContext({ ...settings(options), ...options.context });
     if (!shared) visit.owned = visit.context;
-    visit.context.setDefaultTimeout(120_000 * Number(process.env.SLOWER ?? 1)); // a test waits for what has to happen; this ends what never will
+    visit.context.setDefaultTimeout(600_000 * Number(process.env.SLOWER ?? 1)); // a test waits for what has to happen; this ends what never will
     visit.page = await visit.context.newPage();
     await visit.#watch();
     await visit.goto(path);
