@@ -37,7 +37,7 @@ expect_status 200
 request GET "/jobs/$id" -H 'Accept: text/html'
 expect_status 200
 for figure in 'wire length</th><td>[0-9.]* mm' 'resistance</th><td>[0-9.]* Ω' 'strokes per minute</th><td>[0-9.]* 1/min' 'clearance</th><td>[0-9.]* mm'; do
-  grep -q -- "<th>$figure</td>" "$work/body" || fail "the page lacks $figure"
+  grep -q -- "<th scope=\"row\">$figure</td>" "$work/body" || fail "the page lacks $figure"
 done
 # The path as a spline for CAD, a download of the job's page.
 request GET "/jobs/$id/drawings/needle_path.dxf"

@@ -340,6 +340,8 @@ class Planner {
     ProgressPart curve(progress_, "clearance", planned, 1);
     plan_.clearance_curve = clearance_curve(request_, plan_.support, plan_.path, tool, curve);
     plan_.clearance_times = times_at(plan_.clearance_curve.bounds);
+    // The last bound is the end of the path: there the needle is so slow that the place says little about the time.
+    plan_.clearance_times.back() = plan_.motion.motion->duration();
     const double least = request_.least_clearance, found = plan_.clearance.minimum,
                  at = times_at({tool_length(tool, plan_.clearance.move, plan_.clearance.at)}).front();
     plan_.motion.verification.add(
