@@ -50,7 +50,7 @@ export function followJob(id: string, begin: () => void): void {
   const cancel = h("button", { type: "button", id: "cancel", click: () => void stop() }, t("cancel"));
   append(live, times, h("p", {}, cancel), trouble);
   let job: JobResource | null = null, clock = 0; // ms that the service's clock is ahead of this one
-  let events: EventSource | null = null, over = false;
+  let over = false, asking = false;
 
   const show = (): void => {
     if (!job) return;
@@ -72,8 +72,8 @@ export function followJob(id: string, begin: () => void): void {
   const become = async (): Promise<void> => {
     if (over) return;
     over = true;
-    events?.close();
     clearInterval(ticking);
+    clearInterval(looking);
     try {
       const page = await getPage(), next = page.querySelector("main"), main = document.querySelector("main");
       if (!next || !main || page.querySelector("#live")) throw new Error("not the page of a job that has ended");
@@ -106,13 +106,21 @@ export function followJob(id: string, begin: () => void): void {
     }
   };
   const ticking = window.setInterval(show, 1000);
-  events = new EventSource(at(`/v1/jobs/${id}/events`));
-  events.addEventListener("state", (event) => take(JSON.parse((event as MessageEvent<string>).data) as JobResource));
-  events.addEventListener("progress", (event) => {
-    if (job) job.progress = JSON.parse((event as MessageEvent<string>).data) as Progress;
-    show();
-  });
-  void read().catch(() => {});
+  // Not a stream of events: browsers allow six connections to a host, and the page of a seventh tab would not load.
+  const look = async (): Promise<void> => {
+    if (asking || over) return;
+    asking = true;
+    try {
+      await read();
+    } catch {
+      // The service may be back at the next look.
+    } finally {
+      asking = false;
+    }
+  };
+  const looking = window.setInterval(() => document.visibilityState === "visible" && void look(), 1000);
+  document.addEventListener("visibilitychange", () => document.visibilityState === "visible" && void look());
+  void look();
 }
 
 function stageName(name: string): string {

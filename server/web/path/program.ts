@@ -107,7 +107,7 @@ export class Program {
         last.length += entry.length;
         last.time += entry.time;
       } else {
-        this.visits.push({ number, text: entry.text, mode: entry.mode, first: row(entry.start_time), end: row(entry.end_time), length: entry.length, time: entry.time });
+        this.visits.push({ number, text: entry.text ?? null, mode: entry.mode, first: row(entry.start_time), end: row(entry.end_time), length: entry.length, time: entry.time });
       }
     }
     const last = this.visits[this.visits.length - 1];
