@@ -22,7 +22,7 @@ async function drawnSegments(page) {
   return Number(segments);
 }
 
-for (const [name, document] of [['a million rows', longSheet()], ['a winding of 200 turns', longWinding()]])
+for (const [name, document] of [['a million rows', longSheet()], ['a winding of 70 turns', longWinding()]])
   test(`${name}: few requests, bytes, rows and segments, whole and zoomed in`, { alone: true }, async ({ service, visit }) => {
     const { id } = await service.planned(document);
     let rows = await rowsRead(service);

@@ -5,7 +5,7 @@ import { askLimits, type LimitsAnswer, type PlannedJob } from "../base/planned_j
 import { sourceOf } from "./columns";
 import { Envelope } from "./intervals";
 
-const mostPoints = 600; // 32 rows each are read at most: below 20 000
+const mostPoints = 384; // 32 rows each are read at most: four chunks of 4096
 const mostNumbers = 22_000; // of 4 bytes
 const patience = 90; // ms without a further step before finer data are asked for
 const ribbonPoints = 300;
