@@ -5,7 +5,7 @@ import { isEmphasised, isShown, type Shown } from "./path/drawing";
 import type { Scheme } from "./path/palette";
 import type { PathData } from "./path/path_data";
 import type { Size, SpaceView } from "./path/projection";
-import type { Scene as Bodies } from "./path/scene";
+import type { Scene as Bodies } from "./base/scene";
 import { bodyObject } from "./path/space_bodies";
 import type { SpaceCanvas } from "./path/space_canvas";
 import { paint, SpaceLines } from "./path/space_lines";

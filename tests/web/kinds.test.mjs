@@ -57,7 +57,7 @@ test('a plane shows everything in the middle, and its bar is round', async () =>
 });
 
 test('axes of charts hold curves, ranges and the limits that are near', async () => {
-  const { axisRange, lastAtMost, valuesAt } = await load('kinds/chart.ts');
+  const { axisRange, valuesAt } = await load('kinds/chart.ts'), { lastAtMost } = await load('base/search.ts');
   const curve = { name: '', colour: '', x: [0, 1, 2, 3], low: [0, 1, -2, 4] };
   const shown = axisRange({ curves: [curve], rules: [{ value: 5, colour: '' }, { value: 100, colour: '' }] }, 0, 3);
   assert.ok(shown.from < -2 && shown.to > 5 && shown.to < 10);

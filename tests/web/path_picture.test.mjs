@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from './support.mjs';
 
-const { readPath, chordSpeeds, placeAt, vertexBefore, extentsOf, endedBy } = await load('path/path_data.ts');
+const { readPath, chordSpeeds, placeAt, vertexBefore, extentsOf } = await load('path/path_data.ts');
+const { countAtMost } = await load('base/search.ts');
 const { pick } = await load('path/picking.ts');
 const { PlaneView } = await load('path/projection.ts');
 const { sequential, speedRange, colouring, steps } = await load('path/colours.ts');
@@ -34,7 +35,7 @@ test('a row lies on the chord of its vertices, and nowhere between two polylines
   assert.deepEqual(placeAt(path, 300), [10, 10, 0]);
   assert.equal(placeAt(path, 350), null);
   assert.equal(vertexBefore(path, 299), 1);
-  assert.equal(endedBy([1, 2, 2, 5], 2), 3);
+  assert.equal(countAtMost([1, 2, 2, 5], 2), 3);
 });
 
 test('the nearest chord within reach is picked, hidden ones and gaps are not', () => {

@@ -1,5 +1,6 @@
 /** What the panels of a job's page know of a planned job. The service writes it into the page, so that it costs no request. */
-import { getJson } from "./api";
+import { getJson, Refused } from "./api";
+import type { Scene } from "./scene";
 import { SharedView, readAddress } from "./view";
 
 /** One limit of GET /v1/jobs/{id}/limits. */
@@ -8,7 +9,7 @@ export interface Limit {
   name: string;
   unit: string | null;
   value: number | null;
-  column: string | null; // of setpoints that the limit is on
+  column: string | null; // column of setpoints that the limit is on
   time: number;
   share: number;
   lowest?: number | null; // where it is not the negative of `value`
@@ -28,12 +29,14 @@ export interface PlannedJob {
   cycle: number; // unit of the independent variable per row: s, or degrees of a law over an angle
   seconds: number; // s per row; over an angle: at the master's nominal speed
   independent: string; // "time", or the name of the master's position
-  unit: string; // of the independent variable: "s", "deg" or "mm"
+  unit: string; // unit of the independent variable: "s", "deg" or "mm"
   columns: string[];
   units: string[]; // one per column, "1" for numbers
   view: SharedView;
   /** Answers GET …/limits?points=400 of the whole series; asked once, whoever needs it first. */
   limits(): Promise<LimitsAnswer>;
+  /** Answers GET …/scene, asked once; null where the service has none. */
+  scene(): Promise<Scene | null>;
 }
 
 /** Number of intervals of the overview. */
@@ -57,10 +60,19 @@ export function plannedJob(): PlannedJob | null {
     ...(number("count") !== undefined ? { count: number("count")! } : {}),
     ...(number("row") !== undefined ? { row: number("row")!, locked: state.locked === "1" } : {}),
   });
-  let limits: Promise<LimitsAnswer> | undefined;
+  let limits: Promise<LimitsAnswer> | undefined, scene: Promise<Scene | null> | undefined;
+  const askScene = async (): Promise<Scene | null> => {
+    try {
+      return await getJson<Scene>(`/v1/jobs/${id}/scene`);
+    } catch (error) {
+      if (error instanceof Refused) return null;
+      throw error;
+    }
+  };
   return {
     id, kind, rows: Number(rows), cycle: Number(cycle), columns: columns.split(","), view,
     seconds: Number(seconds ?? cycle), independent: independent ?? "time", unit: unit ?? "s", units: (units ?? "").split(","),
+    scene: () => (scene ??= askScene()),
     limits: () => (limits ??= askLimits(id, `points=${overviewPoints}`)),
   };
 }

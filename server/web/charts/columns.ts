@@ -46,6 +46,6 @@ export function defaultColumns(columns: ChartColumn[], kind: string): string[] {
   const of = (quantity: Quantity, axis: (name: string) => boolean): string[] => columns.filter((each) => each.quantity === quantity && axis(each.axis)).map((each) => each.name);
   if (kind === "motion_law") return ["s", "v", "a", "j"].filter((name) => columns.some((each) => each.name === name));
   const axes = of("acceleration", (axis) => axis !== "");
-  const fine = axes.filter((name) => /[cf]$/.test(name)); // with coarse and fine axes: theirs, not their sums
+  const fine = axes.filter((name) => /[cf]$/.test(name)); // where there are coarse and fine axes, theirs, not their sums
   return [...of("velocity", (axis) => axis === ""), ...(fine.length > 0 ? fine : axes).slice(0, 6), ...of("other", (axis) => axis === "deviation"), "use"];
 }

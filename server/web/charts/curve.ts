@@ -4,7 +4,8 @@ import type { Limit } from "../base/planned_job";
 import type { ChartData } from "./chart_data";
 import type { ChartColumn } from "./columns";
 import { axisRange, fillIntervals, lineOfRows, type Envelope, type Scale } from "./intervals";
-import { begin, type Palette } from "./picture";
+import type { Palette } from "../base/canvas";
+import { begin } from "./picture";
 import { ticks } from "./ticks";
 
 export interface Frame {

@@ -14,7 +14,8 @@ import { ChartData, RowWindow } from "./chart_data";
 import { chartColumns, defaultColumns, quantities, type ChartColumn } from "./columns";
 import { drawCurve, type Frame } from "./curve";
 import { followGestures } from "./gestures";
-import { begin, Palette } from "./picture";
+import { Palette } from "../base/canvas";
+import { begin } from "./picture";
 import { drawOverview, drawRibbon, type Shares } from "./ribbon";
 import { around, longestStretch } from "./stretches";
 import { angleTicks, ticks, type Ticks } from "./ticks";
@@ -52,7 +53,7 @@ class Curves {
   private limits: readonly Limit[] = [];
   private colours = new Map<number, string>();
   private only: number | null = null; // the limit that is looked at in the ribbon
-  private frame = 0; // of the animation that draws
+  private frame = 0; // handle of the animation that draws
   private addressTimer = 0;
   private legendSays = "";
 

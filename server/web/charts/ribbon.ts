@@ -1,6 +1,7 @@
 /** The ribbon of limits: the share of time of each limit in each interval, one above the other. */
 import type { Limit } from "../base/planned_job";
-import { begin, type Palette } from "./picture";
+import type { Palette } from "../base/canvas";
+import { begin } from "./picture";
 
 export interface Shares {
   limits: readonly Limit[];

@@ -1,4 +1,5 @@
 /** The page of two jobs: which ones, their figures, their curves with one cursor, and where along the path time is won or lost. */
+import { lastAtMost } from "../base/search";
 import de from "../texts/de/compare.json";
 import en from "../texts/en/compare.json";
 import { Refused, at, getJson } from "../base/api";
@@ -7,7 +8,7 @@ import { duration, fixed, number, percent } from "../base/numbers";
 import { onKey } from "../base/page";
 import { texts } from "../base/texts";
 import { keepInAddress, readAddress } from "../base/view";
-import { Chart, type Curve, lastAtMost } from "../kinds/chart";
+import { Chart, type Curve } from "../kinds/chart";
 import { type Envelope, curveOf, envelope, folded, legend, panel, table } from "../kinds/parts";
 import { type Along, alongPath, difference, integrated, places, sameLength, timeAt } from "./along";
 import { type Figure, type Figures, compareFigures, unitOf } from "./figures";
@@ -159,7 +160,7 @@ interface Motion {
   id: string;
   cycle: number; // s per row
   lastRow: number;
-  step: number; // of the independent variable per row
+  step: number; // step of the independent variable per row
   data: Envelope; // columns so far
   along: Along | null;
 }

@@ -1,4 +1,5 @@
 /** The outline of a checked document on a canvas: cuts as lines, positioning moves dashed. */
+import { sharp, styleColour } from "../base/canvas";
 import { h } from "../base/dom";
 
 export interface Outline {
@@ -38,13 +39,10 @@ export class OutlineView {
   }
   private draw(): void {
     const { canvas, outline } = this, width = canvas.clientWidth, height = canvas.clientHeight;
-    if (!outline || width === 0 || outline.vertices.length === 0) return;
-    const ratio = window.devicePixelRatio || 1, context = canvas.getContext("2d")!;
-    canvas.width = width * ratio;
-    canvas.height = height * ratio;
-    context.scale(ratio, ratio);
+    if (!outline || outline.vertices.length === 0) return;
+    const context = sharp(canvas, width, height);
+    if (!context) return;
     const points = outline.vertices.map(project), { scale, left, bottom } = fitting(points, width, height, 12);
-    const colour = (name: string): string => getComputedStyle(canvas).getPropertyValue(name).trim();
     const line = (on: boolean): void => {
       context.beginPath();
       points.forEach(([x, y], i) => {
@@ -52,7 +50,7 @@ export class OutlineView {
         if (i > 0 && (outline.cut?.[i] ?? 1) === (on ? 1 : 0)) context.lineTo(px, py);
         else context.moveTo(px, py);
       });
-      context.strokeStyle = colour(on ? "--c0" : "--rapid");
+      context.strokeStyle = styleColour(on ? "--c0" : "--rapid");
       context.setLineDash(on ? [] : [4, 4]);
       context.lineWidth = on ? 1.6 : 1;
       context.stroke();
@@ -62,7 +60,7 @@ export class OutlineView {
     const [x, y] = points[0]!;
     context.beginPath();
     context.arc(left + scale * x, bottom - scale * y, 3.5, 0, 7);
-    context.fillStyle = colour("--c1");
+    context.fillStyle = styleColour("--c1");
     context.fill();
   }
 }

@@ -25,7 +25,7 @@ export interface Hooks {
 let counter = 0;
 
 interface Place {
-  name: string; // of the member, "" for entries of lists
+  name: string; // name of the member, "" for entries of lists
   label: string;
   pointer: string;
   needed: boolean;

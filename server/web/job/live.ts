@@ -128,39 +128,33 @@ function stageName(name: string): string {
   return key in en ? t(key as keyof typeof en & string) : name;
 }
 
-/** A button that plans a job's document again with the question what would make it faster. */
-export function offerWhatIf(id: string, why: HTMLElement): void {
+/** Adds a button that posts something and goes on to the job that came of it. */
+function offer(place: Element, id: string, label: string, busy: string, post: () => Promise<string>): void {
   const trouble = h("span", { class: "soft", role: "status" });
-  const button = h("button", { type: "button", id: "what-if", click: () => void plan() }, t("plan_what_if"));
-  why.append(h("p", { class: "no-print" }, button, " ", trouble));
-  const plan = async (): Promise<void> => {
+  const act = async (): Promise<void> => {
     button.disabled = true;
-    trouble.textContent = t("planning");
+    trouble.textContent = busy;
     try {
-      const document = await getJson<{ spec: { planning?: Record<string, unknown> } }>(`/v1/jobs/${id}/spec`);
-      document.spec.planning = { ...document.spec.planning, what_if: true };
-      const job = await postJson<{ id: string }>("/v1/jobs", document);
-      location.assign(at(`/jobs/${job.id}`));
+      location.assign(at(`/jobs/${await post()}`));
     } catch (error) {
       button.disabled = false;
       trouble.textContent = error instanceof Error ? error.message : String(error);
     }
   };
+  const button = h("button", { type: "button", id, click: () => void act() }, label);
+  place.append(h("p", { class: "no-print" }, button, " ", trouble));
+}
+
+/** A button that plans a job's document again with the question what would make it faster. */
+export function offerWhatIf(id: string, why: HTMLElement): void {
+  offer(why, "what-if", t("plan_what_if"), t("planning"), async () => {
+    const document = await getJson<{ spec: { planning?: Record<string, unknown> } }>(`/v1/jobs/${id}/spec`);
+    document.spec.planning = { ...document.spec.planning, what_if: true };
+    return (await postJson<{ id: string }>("/v1/jobs", document)).id;
+  });
 }
 
 /** A button that plans the document of a job again that failed or was cancelled. */
 export function offerRetry(id: string, place: HTMLElement): void {
-  const trouble = h("span", { class: "soft", role: "status" });
-  const button = h("button", { type: "button", id: "retry", click: () => void retry() }, t("retry"));
-  place.append(h("p", { class: "no-print" }, button, " ", trouble));
-  const retry = async (): Promise<void> => {
-    button.disabled = true;
-    try {
-      const answer = await ask(`/v1/jobs/${id}/retry`, { method: "POST" });
-      location.assign(at(`/jobs/${((await answer.json()) as { id: string }).id}`));
-    } catch (error) {
-      button.disabled = false;
-      trouble.textContent = error instanceof Error ? error.message : String(error);
-    }
-  };
+  offer(place, "retry", t("retry"), "", async () => ((await (await ask(`/v1/jobs/${id}/retry`, { method: "POST" })).json()) as { id: string }).id);
 }

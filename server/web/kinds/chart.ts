@@ -1,4 +1,5 @@
 /** A chart: curves over one axis, with boxes for ranges, lines for limits and a cursor that others may move. */
+import { lastAtMost } from "../base/search";
 import { number } from "../base/numbers";
 import { angleTicks, ticks } from "../charts/ticks";
 import { type Pen, Stage } from "./stage";
@@ -27,9 +28,9 @@ export interface ChartOptions {
   label: string;
   height: number;
   x: () => { from: number; to: number }; // what is shown
-  xName: string; // with unit
-  yName: string; // with unit
-  unit?: string; // of the values at the cursor
+  xName: string; // name of the axis, unit included
+  yName: string; // name of the axis, unit included
+  unit?: string; // unit of the values at the cursor
   angle?: boolean; // ticks at multiples of 30, 45, 90 …
   curves: Curve[];
   boxes?: Box[];
@@ -44,17 +45,6 @@ export interface ChartOptions {
 }
 
 const margin = { left: 58, right: 12, top: 22, bottom: 24 };
-
-/** Returns the last k with x[k] <= value, -1 where there is none. */
-export function lastAtMost(x: ArrayLike<number>, value: number): number {
-  let low = 0, high = x.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (x[middle]! <= value) low = middle + 1;
-    else high = middle;
-  }
-  return low - 1;
-}
 
 /** Returns the least and the largest value that a curve has between two places, null where it has none. */
 export function rangeOf(curve: Curve, from: number, to: number): { low: number; high: number } | null {

@@ -1,9 +1,10 @@
 /** A contour with coarse and fine axes: where both are, the fine stage in its window, and what a longer duration buys. */
+import { lastAtMost } from "../base/search";
 import { Refused, at, getJson, postJson } from "../base/api";
 import { fill, h } from "../base/dom";
 import { duration, fixed, number, percent } from "../base/numbers";
 import type { PlannedJob } from "../base/planned_job";
-import { Chart, type Curve, lastAtMost, line } from "./chart";
+import { Chart, type Curve, line } from "./chart";
 import { Plane, hold, nothing } from "./plane";
 import { type Envelope, curveOf, envelope, figures, folded, follow, followed, legend, panel, resultParts, t, table } from "./parts";
 import { ticks } from "../charts/ticks";

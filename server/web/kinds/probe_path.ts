@@ -1,9 +1,10 @@
 /** A probe path: tube and points in plan and elevation, deviation against its tolerance, speed, and what the head does when. */
+import { lastAtMost } from "../base/search";
 import { getJson } from "../base/api";
 import { h } from "../base/dom";
 import { duration, fixed, number, percent } from "../base/numbers";
 import type { PlannedJob } from "../base/planned_job";
-import { Chart, lastAtMost } from "./chart";
+import { Chart } from "./chart";
 import { type Extent, Plane, type Placing, hold, nothing } from "./plane";
 import { type Envelope, type TextKey, curveOf, envelope, figures, folded, follow, followed, legend, panel, resultParts, t, table } from "./parts";
 import type { Pen } from "./stage";

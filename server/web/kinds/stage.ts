@@ -1,4 +1,5 @@
 /** A canvas that fits the width of its parent and is drawn anew when its size or the system's colours change, with a second one above it for what moves. */
+import { Palette, sharp } from "../base/canvas";
 import { h } from "../base/dom";
 import { countSegments } from "../base/segments";
 
@@ -7,7 +8,7 @@ export interface Pen {
   context: CanvasRenderingContext2D;
   width: number;
   height: number;
-  /** Returns the colour of a variable of the style, e.g. "--c0". */
+  /** Returns the colour of a variable of the style, e.g. "--c0"; another text is a colour itself. */
   colour(variable: string): string;
   /** Adds to the number of segments that are drawn. */
   drew(segments: number): void;
@@ -26,6 +27,7 @@ const stages = new Set<WeakRef<Stage>>();
 schemes?.addEventListener("change", () => {
   for (const each of stages) each.deref()?.redraw();
 });
+const palette = new Palette();
 let named = 0;
 
 export class Stage {
@@ -85,23 +87,12 @@ export class Stage {
     if (this.above) this.options.over!(this.pen(this.above, width, height, () => {}));
   }
   private pen(canvas: HTMLCanvasElement, width: number, height: number, drew: (segments: number) => void): Pen {
-    const scale = Math.min(3, window.devicePixelRatio || 1), across = Math.round(width * scale), down = Math.round(height * scale);
-    if (canvas.width !== across || canvas.height !== down) {
-      canvas.width = across;
-      canvas.height = down;
-      canvas.style.width = `${width}px`;
-      canvas.style.height = `${height}px`;
-      this.element.style.height = `${height}px`;
-    }
-    const context = canvas.getContext("2d")!;
-    context.setTransform(scale, 0, 0, scale, 0, 0);
-    context.clearRect(0, 0, width, height);
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${height}px`;
+    this.element.style.height = `${height}px`;
+    const context = sharp(canvas, width, height)!;
     context.font = "12px system-ui, sans-serif";
-    const style = getComputedStyle(document.documentElement), known = new Map<string, string>();
-    const colour = (variable: string): string => {
-      if (!known.has(variable)) known.set(variable, variable.startsWith("--") ? style.getPropertyValue(variable).trim() : variable);
-      return known.get(variable)!;
-    };
+    const colour = (name: string): string => (name.startsWith("--") ? palette.of(name) : name);
     return { context, width, height, colour, drew };
   }
 }

@@ -1,9 +1,11 @@
 /** A winding: part, needle and the wire laid so far from above and from the side, regions over time, clearance, feed, axes, and where the needle can be. */
+import type { Body, Scene } from "../base/scene";
+import { lastAtMost } from "../base/search";
 import { Refused, at, getJson } from "../base/api";
 import { append, h } from "../base/dom";
 import { fixed, number, percent } from "../base/numbers";
 import type { PlannedJob } from "../base/planned_job";
-import { Chart, type Curve, lastAtMost, line } from "./chart";
+import { Chart, type Curve, line } from "./chart";
 import { type Envelope, type TextKey, curveOf, envelope, figures, folded, follow, followed, legend, panel, resultParts, t, table } from "./parts";
 import { type Extent, Plane, hold, nothing } from "./plane";
 import { type Pen, Stage } from "./stage";
@@ -54,26 +56,6 @@ interface Result {
     wire?: { force: number; peak: number; least: number; permitted: number };
   };
 }
-/** The bodies among which the needle moves, as GET …/scene answers them. */
-interface Body {
-  name: string;
-  kind: string;
-  moves: string;
-  points?: Vec[];
-  outline?: [number, number][];
-  holes?: [number, number][][];
-  from?: number;
-  to?: number;
-  radius?: number;
-  times?: number[];
-  coil?: number;
-  frame?: { origin: Vec; x: Vec; y: Vec; z: Vec };
-}
-interface Scene {
-  frame: string;
-  bodies: Body[];
-}
-
 const regionColours: Record<string, string> = { slot: "--c0", head_bottom: "--c4", slot_back: "--c2", head_top: "--c1", coil_change: "--c7", link: "--rapid" };
 const regionNames: Record<string, TextKey> = { slot: "region_slot", head_bottom: "region_head_bottom", slot_back: "region_slot_back", head_top: "region_head_top", coil_change: "region_coil_change", link: "region_link" };
 const nameOfRegion = (region: string): string => (region in regionNames ? t(regionNames[region]!) : region.replace(/_/g, " "));
@@ -81,7 +63,7 @@ const nameOfRegion = (region: string): string => (region in regionNames ? t(regi
 export interface Stretch {
   from: number; // s
   to: number;
-  region: string; // of the wire that is laid; link: on the way to the next one
+  region: string; // region of the wire that is laid; link: on the way to the next one
   coil: number;
   turn: number;
 }
@@ -114,10 +96,7 @@ export async function mountWinding(section: HTMLElement, id: string, job: Planne
   if (job) {
     const axes = details.axes.map((each) => each.name).filter((each) => job.columns.includes(each));
     const columns = [...axes, "v", "brake", "x", "y", "z", "phi", "psi"].filter((each) => job.columns.includes(each));
-    const [data, scene] = await Promise.all([envelope(id, columns, 1500, "&frame=part"), getJson<Scene>(`/v1/jobs/${id}/scene`).catch((error) => {
-      if (error instanceof Refused) return null;
-      throw error;
-    })]);
+    const [data, scene] = await Promise.all([envelope(id, columns, 1500, "&frame=part"), job.scene()]);
     const list = stretches(details.support_points, (job.rows - 1) * job.cycle);
     if (list.length > 0) section.append(ribbon(list, details.turns, job));
     section.append(flatViews(scene, details.support_points, data, job));

@@ -76,7 +76,7 @@ export function colouring(
     }
     return { kind, colours };
   }
-  const numbers = new Map<number, number>(); // of a limit, a block, a tool → of its colour
+  const numbers = new Map<number, number>(); // from the number of a limit, a block, a tool to that of its colour
   if (by === "limit") {
     for (const [id, colour] of limits) {
       numbers.set(id, colours.length);

@@ -1,4 +1,5 @@
 /** The legend of a path's colours. */
+import { styleColour } from "../base/canvas";
 import { fill, h } from "../base/dom";
 import { number, percent } from "../base/numbers";
 import type { Limit } from "../base/planned_job";
@@ -38,9 +39,8 @@ export function fillLegend(element: HTMLElement, facts: LegendFacts): void {
   if (by === "block") entries.push(...scheme.distinct.map((colour) => swatch(colour, "")), h("span", { class: "soft" }, t("legend_blocks", { n: scheme.distinct.length })));
   if (by === "tool") entries.push(...facts.tools.map((tool) => swatch(scheme.distinct[tool % scheme.distinct.length]!, t("legend_tools", { n: tool }))));
   if (by === "limit") {
-    const style = getComputedStyle(document.documentElement);
     for (const limit of [...facts.limits].sort((a, b) => b.time - a.time))
-      if (limit.share > 0) entries.push(swatch(style.getPropertyValue(facts.limitVariables.get(limit.id) ?? "--strong").trim(), `${nameOf(limit.name)} ${percent(limit.share)}`));
+      if (limit.share > 0) entries.push(swatch(styleColour(facts.limitVariables.get(limit.id) ?? "--strong"), `${nameOf(limit.name)} ${percent(limit.share)}`));
   } else if (facts.hasModes && facts.rapids) {
     entries.push(swatch(scheme.rapid, t("legend_rapid")));
   }

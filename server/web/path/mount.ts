@@ -13,7 +13,6 @@ import { Picture } from "./picture";
 import { Player } from "./player";
 import { Program, toolsOf, type Page } from "./program";
 import { ProgramList } from "./program_list";
-import type { Scene } from "./scene";
 import { Slices, valuesAt, type Slice } from "./slices";
 import { PathSource } from "./source";
 import type { SpaceCanvas } from "./space_canvas";
@@ -249,8 +248,9 @@ class PathPanel {
       const module = (await import(new URL("./space.js", import.meta.url).href)) as { makeSpace(): SpaceCanvas | null };
       const canvas = module.makeSpace();
       if (canvas && this.hasScene())
-        getJson<Scene>(`/v1/jobs/${this.job.id}/scene`).then(
+        this.job.scene().then(
           (scene) => {
+            if (!scene) return;
             canvas.setScene(scene);
             if (scene.box) this.picture.setBodies({ low: scene.box[0], high: scene.box[1] });
             this.marks(this.row());

@@ -1,4 +1,5 @@
 /** Colours of the page's scheme, read from its style. */
+import { styleColour } from "../base/canvas";
 import type { Palette } from "./colours";
 import type { LayerColours } from "./layer";
 
@@ -8,8 +9,7 @@ export interface Scheme extends Palette, LayerColours {
 
 /** Returns the colours of the scheme that is in force. */
 export function readScheme(): Scheme {
-  const style = getComputedStyle(document.documentElement);
-  const of = (name: string): string => style.getPropertyValue(name).trim();
+  const of = styleColour;
   return {
     dark: matchMedia("(prefers-color-scheme: dark)").matches,
     rapid: of("--rapid"), other: of("--strong"), faint: of("--line"),

@@ -69,17 +69,6 @@ export function placeAt(path: PathData, row: number): [number, number, number] |
   return [path.x[i]! + u * (path.x[j]! - path.x[i]!), path.y[i]! + u * (path.y[j]! - path.y[i]!), path.z[i]! + u * (path.z[j]! - path.z[i]!)];
 }
 
-/** Returns how many of ascending rows or times are at most `value`. */
-export function endedBy(last: ArrayLike<number>, value: number): number {
-  let low = 0, high = last.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (last[middle]! <= value) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
-
 /** Returns the mean speed on the chord to each vertex, mm/s: the speed at vertices would be that of corners. `cycle`: time from row to row, s. */
 export function chordSpeeds(path: PathData, cycle: number): Float32Array {
   const out = new Float32Array(path.count);

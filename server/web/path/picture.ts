@@ -1,4 +1,5 @@
 /** The picture of a path: a canvas with the path, one above it with what moves, in the plane or in space. */
+import { styleColour } from "../base/canvas";
 import { countSegments } from "../base/segments";
 import { h } from "../base/dom";
 import { number } from "../base/numbers";
@@ -53,7 +54,7 @@ export class Picture {
   private three: SpaceCanvas | null = null;
   by: ColourBy = "speed";
   shown: Shown;
-  stroke: [number, number] | null = null; // of the fine axes, mm to each side
+  stroke: [number, number] | null = null; // stroke of the fine axes, mm to each side
   limitVariables: ReadonlyMap<number, string> = new Map();
   tools: ((line: number) => number) | undefined;
   speeds: [number, number] = [0, 1];
@@ -266,8 +267,7 @@ export class Picture {
   private coloursOf(path: PathData): Colouring {
     let found = this.colours.get(path);
     if (!found) {
-      const style = getComputedStyle(document.documentElement);
-      const limits = new Map([...this.limitVariables].map(([id, name]) => [id, style.getPropertyValue(name).trim()]));
+      const limits = new Map([...this.limitVariables].map(([id, name]) => [id, styleColour(name)]));
       this.colours.set(path, (found = colouring(path, this.by, this.scheme, this.speeds, limits, this.tools)));
       if (this.colours.size > 4) this.colours.delete(this.colours.keys().next().value!);
     }

@@ -3,7 +3,7 @@
 
 export interface Entry {
   segment: number;
-  line?: number; // of a program
+  line?: number; // line of a program
   source?: number; // segment of a document without one
   text?: string | null;
   mode: "cut" | "position";

@@ -1,7 +1,8 @@
 /** Where the picture of a path has its vertices from: the whole path once, and a part of it finer, when a part is looked at closely. */
 import { ask, getColumns } from "../base/api";
 import type { ColourBy } from "./colours";
-import { chordSpeeds, endedBy, readPath, type PathData } from "./path_data";
+import { countAtMost } from "../base/search";
+import { chordSpeeds, readPath, type PathData } from "./path_data";
 
 export type Box = readonly [number, number, number, number]; // x0, y0, x1, y1, mm
 
@@ -52,7 +53,7 @@ export function addIntervals(path: PathData, index: ArrayLike<number>, columns: 
     const out = (path.columns[name] = new Float32Array(path.count));
     for (let i = 0; i < path.count; ++i) {
       const middle = i > 0 && !path.begin[i] ? (path.rows[i - 1]! + path.rows[i]!) / 2 : path.rows[i]!;
-      out[i] = values[Math.max(0, endedBy(index, middle) - 1)]!;
+      out[i] = values[Math.max(0, countAtMost(index, middle) - 1)]!;
     }
   }
 }

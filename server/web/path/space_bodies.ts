@@ -3,7 +3,7 @@ import {
   BufferAttribute, BufferGeometry, Color, CylinderBufferGeometry, DoubleSide, EdgesGeometry, ExtrudeBufferGeometry, Group, LineBasicMaterial, LineSegments, Material,
   Matrix4, Mesh, MeshLambertMaterial, Object3D, Path, Points, PointsMaterial, Shape, SphereBufferGeometry, Vector2, Vector3,
 } from "three";
-import type { Body, Point } from "./scene";
+import type { Body, Point } from "../base/scene";
 
 export interface BodyColours {
   solid: string;

@@ -4,7 +4,7 @@ import type { Shown } from "./drawing";
 import type { PathData } from "./path_data";
 import type { Scheme } from "./palette";
 import type { Size, SpaceView } from "./projection";
-import type { Scene } from "./scene";
+import type { Scene } from "../base/scene";
 
 export interface SpaceCanvas {
   readonly element: HTMLCanvasElement;

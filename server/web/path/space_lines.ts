@@ -3,7 +3,7 @@ import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineS
 import { LineMaterial } from "three-lines/LineMaterial.js";
 import { LineSegments2 } from "three-lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three-lines/LineSegmentsGeometry.js";
-import { endedBy } from "./path_data";
+import { countAtMost } from "../base/search";
 import type { Size } from "./projection";
 
 export interface Chords {
@@ -47,7 +47,7 @@ export class SpaceLines {
   }
   /** Shows the chords that end at a row or time, or before it; all for Infinity. */
   showUntil(value: number): number {
-    const count = value === Infinity ? this.count : endedBy(this.chords.last, value);
+    const count = value === Infinity ? this.count : countAtMost(this.chords.last, value);
     this.thin.geometry.setDrawRange(0, 2 * count);
     this.thick.geometry.maxInstancedCount = count;
     return count;

@@ -13,6 +13,7 @@ export interface Body {
   points?: Point[];
   times?: number[];
   radius?: number;
+  coil?: number; // from 1
   round_end?: boolean;
 }
 
