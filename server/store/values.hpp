@@ -95,8 +95,8 @@ struct Ending {
 
 /// Properties of a stored series; its rows are read by Store::read_chunk.
 struct SeriesInfo {
-  std::string id;        ///< of the job
-  std::int64_t key = 0;  ///< by which the store finds the series, beside the id
+  std::string id;        ///< id of the job
+  std::int64_t key = 0;  ///< key by which the store finds the series, beside the id
   std::vector<Column> columns;
   std::size_t count = 0, chunk_rows = 0;
   double cycle_time = 0;

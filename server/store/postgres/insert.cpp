@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t posts_at_once = 64, told_at_once = 256;
 
 /// The key is inserted first: of two posts with one key at once, the second one waits for the first and then inserts
-/// nothing. An id that exists was inserted by the same post, whose answer was lost. Isolation: READ COMMITTED; the turn
-/// of a job may be given twice by transactions at once, which is no harm. Owners take turns as in the SQLite store
+/// nothing. An id that exists was inserted by the same post, whose answer was lost. Isolation: READ COMMITTED.
+/// Transactions at once may give one turn twice, which is no harm. Owners take turns as in the SQLite store
 /// [start-time fair queueing: Goyal, Vin, Cheng 1996].
 constexpr auto insert_job =
     "WITH kept AS ("

@@ -4,8 +4,8 @@ namespace bahnwerk::server {
 
 class PostgresConnection;
 
-/// Makes the partitions of today and of the next two days (UTC, by the database's clock), and drops those of whole days
-/// of which no job is left. A day whose rows are in the default partition already gets none. Does nothing where another
+/// Makes the partitions of today and of the next two days (UTC, by the database's clock), and drops those whose
+/// jobs are all gone. A day whose rows are in the default partition already gets none. Does nothing where another
 /// process is doing it. Each is a transaction of its own, which gives up after 2 s where others use the table.
 void keep_partitions(PostgresConnection& connection);
 

@@ -93,14 +93,14 @@ class PostgresStore final : public Store {
   struct Step {
     std::string id;
     api::JobState from;
-    std::optional<std::int64_t> token = {};     ///< of the attempt that it is conditional on
+    std::optional<std::int64_t> token = {};     ///< token of the attempt that the step is conditional on
     std::optional<bool> cancel_requested = {};  ///< what it is conditional on, too
     Fate to;
     std::int64_t now = 0;
     std::uint64_t seen = 0;                    ///< last revision that clients were shown
     std::int64_t leap = 1;                     ///< increase of the revision
     std::int64_t not_made = 0;                 ///< attempts that are not counted
-    std::optional<std::int64_t> losses = {};   ///< of a lost attempt
+    std::optional<std::int64_t> losses = {};   ///< losses after a lost attempt
     std::optional<std::string> ended_by = {};  ///< name of the call
     std::optional<std::string> result = {};    ///< packed result document
   };
@@ -157,7 +157,7 @@ class PostgresStore final : public Store {
   std::mutex maintenance_mutex_;
   std::chrono::steady_clock::time_point maintained_{};
 
-  std::mutex mutex_;  ///< of what the writers take
+  std::mutex mutex_;  ///< guards what the writers take
   std::condition_variable wake_;
   std::deque<Post> posts_;
   std::deque<Told> told_;

@@ -89,7 +89,7 @@ class SqliteStore final : public Store {
   struct Step {
     std::string id;
     api::JobState from;
-    std::optional<std::int64_t> token = {};  ///< of the attempt that it is conditional on
+    std::optional<std::int64_t> token = {};  ///< token of the attempt that the step is conditional on
     Fate to;
     std::int64_t now = 0;
     std::uint64_t seen = 0;     ///< last revision that clients were shown
