@@ -110,13 +110,8 @@ std::shared_ptr<const ViewFacts> view_facts_of_spec(const nlohmann::json& spec, 
   return facts;
 }
 
-template <class K>
-concept HasScene = requires {
-  K::scene_parts;
-};
-
-template <class K>
 /// Implements Kind::scene.
+template <class K>
 std::optional<Scene> scene_of_spec(const nlohmann::json& spec, const nlohmann::json& result, Progress& progress) {
   if constexpr (requires { K::has_scene(spec); })
     if (!K::has_scene(spec)) return std::nullopt;
@@ -128,7 +123,7 @@ Kind kind_of() {
   Kind kind{K::name,       K::title,        embedded(K::name), embedded(std::string(K::name) + ".result"),
             check_spec<K>, preview_spec<K>, plan_spec<K>};
   if constexpr (HasViewFacts<K>) kind.view_facts = view_facts_of_spec<K>;
-  if constexpr (HasScene<K>) kind.scene = scene_of_spec<K>, kind.scene_parts = K::scene_parts;
+  if constexpr (requires { K::scene_parts; }) kind.scene = scene_of_spec<K>, kind.scene_parts = K::scene_parts;
   if constexpr (requires { K::files; }) kind.files = K::files;
   return kind;
 }

@@ -30,11 +30,11 @@ struct SceneBody {
   Kind kind = Kind::polyline;
   std::string moves = "none";                       ///< name of a mover
   std::optional<std::size_t> coil = {}, slot = {};  ///< coils from 1, slots from 0
-  std::vector<Vec> points = {};                     ///< of all kinds but an extrusion
+  std::vector<Vec> points = {};                     ///< vertices of all kinds but an extrusion
   double radius = 0;                                ///< mm; 0: none
   bool round_end = false;                           ///< whether a cylinder ends in a half ball about its last point
   std::vector<double> times = {};                   ///< s, when each point appears; empty: they are always there
-  std::vector<Flat> outline = {};                   ///< of an extrusion, counterclockwise
+  std::vector<Flat> outline = {};                   ///< edge of an extrusion, counterclockwise
   std::vector<std::vector<Flat>> holes = {};
   double from = 0, to = 0;          ///< heights between which an extrusion lies
   std::optional<Frame> frame = {};  ///< nullopt: the axes of the scene
@@ -52,8 +52,8 @@ struct SceneMover {
 
 struct Scene {
   std::string frame = "base";           ///< part or base: the frame of all coordinates
-  std::optional<PoseFrame> place = {};  ///< of that frame in the base frame; nullopt: both are one
-  double tolerance = 0;                 ///< mm, of outlines
+  std::optional<PoseFrame> place = {};  ///< place of that frame in the base frame; nullopt: both are one
+  double tolerance = 0;                 ///< tolerance of outlines, mm
   std::size_t left_out = 0;             ///< bodies and turns for which there was no room
   std::vector<SceneMover> movers = {};
   std::vector<SceneBody> bodies = {};

@@ -12,6 +12,7 @@
 
 #include "api/kind_frame.hpp"
 #include "api/kinds/contour/coarse_fine.hpp"
+#include "api/kinds/contour/contour_scene.hpp"
 #include "api/verification.hpp"
 #include "api/views/segments.hpp"
 #include "core/base/errors.hpp"
@@ -287,28 +288,6 @@ std::shared_ptr<const SegmentTable> segments(const ContourPlan& plan, const Cont
   return table_of(driven_segments(*plan.path, job.head, law, progress), job.program);
 }
 
-/// Returns the places that the fine axes reach from where the coarse ones stand.
-SceneBody fine_range(const CoarseFineMachine& machine) {
-  std::array<double, 3> stroke{};
-  for (std::size_t k = 0; k < std::min(stroke.size(), machine.axes.size()); ++k) stroke[k] = machine.axes[k].stroke;
-  const auto [x, y, z] = stroke;
-  SceneBody body{.name = "fine range", .kind = SceneBody::Kind::extrusion, .moves = "coarse"};
-  body.outline = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
-  body.from = -z, body.to = z;
-  return body;
-}
-
-/// Adds a line per row of edges with one mode.
-void add_lines(const Outline& shape, Scene& scene) {
-  SceneBody line;
-  for (std::size_t i = 1; i < shape.vertices.size(); ++i) {
-    if (line.points.empty()) line = {.name = shape.cut[i] ? "cut" : "position", .points = {shape.vertices[i - 1]}};
-    line.points.push_back(shape.vertices[i]);
-    if (i + 1 < shape.vertices.size() && shape.cut[i + 1] == shape.cut[i]) continue;
-    scene.add(std::exchange(line, {}));
-  }
-}
-
 struct ContourKind {
   static constexpr std::string_view name = "contour";
   static constexpr std::string_view title = "A tool head along a planar or spatial contour";
@@ -353,14 +332,7 @@ struct ContourKind {
   }
 
   static Scene scene(const ContourJob& job, const json&, Progress& progress) {
-    const Outline shape = outline(job.contour, max_scene_vertices / 2, progress);
-    Scene scene;
-    scene.tolerance = shape.tolerance;
-    scene.movers = {{"tool", {"x", "y", "z"}}, {"coarse", {"xc", "yc", "zc"}}};
-    scene.add({.name = "head", .kind = SceneBody::Kind::points, .moves = "tool", .points = {{}}});
-    scene.add(fine_range(*job.coarse_fine));
-    add_lines(shape, scene);
-    return scene;
+    return contour_scene(job.contour, *job.coarse_fine, progress);
   }
 
   static ordered_json preview(const ContourJob& job, Progress& progress) {

@@ -95,7 +95,7 @@ class NestedSearch {
   double gap_;
   Search& search_;
   const PublishedObjective& objective_;
-  std::map<int, Nested> known_;  // by pieces
+  std::map<int, Nested> known_;  // laws by their number of pieces
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ PathClearance path_clearance(const WindingRequest& request, const std::vector<wi
 namespace {
 
 constexpr double curve_tolerance = 0.01, curve_enough = 20;  // mm
-constexpr int most_halvings = 3;                             // of a piece
+constexpr int most_halvings = 3;                             // halvings of a piece
 
 /// Collects the curve: intervals in the order of the path, where pieces are many `together` of them as one.
 class CurveBuilder {
@@ -114,7 +114,6 @@ ClearanceCurve clearance_curve(const WindingRequest& request, const std::vector<
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (const std::size_t next = coil_of(pieces[i], support); next != coil)
       coil = next, all = coil_obstacles(request, coil);
-    if (all.list().empty()) return {};
     const auto done = [&](std::size_t piece) {
       return static_cast<double>(piece) / static_cast<double>(pieces.size());
     };

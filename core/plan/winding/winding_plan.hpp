@@ -88,8 +88,8 @@ struct WindingRequest {
 /// The least clearance of the needle over the path, interval by interval.
 struct ClearanceCurve {
   std::vector<double> bounds;        ///< mm along the path, ascending; one more than intervals
-  std::vector<double> least;         ///< mm, of each interval, proven to `tolerance`
-  std::vector<std::size_t> nearest;  ///< of each interval, an index in `names`
+  std::vector<double> least;         ///< least clearance of each interval, mm, proven to `tolerance`
+  std::vector<std::size_t> nearest;  ///< obstacle of each interval, an index in `names`
   std::vector<std::string> names;    ///< names of obstacles, each once
   double tolerance = 0, enough = 0;  ///< mm; clearances of `enough` and more are not distinguished
 };
@@ -108,9 +108,9 @@ struct WindingPlan {
   std::vector<winding::Turn> turns;          ///< turns of all coils
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
-  std::optional<LinkTimes> link_times;   ///< set if minimum_time was requested
-  winding::Clearance clearance;          ///< least clearance; its `move` is an index in path.pieces
-  ClearanceCurve clearance_curve;        ///< empty without obstacles
+  std::optional<LinkTimes> link_times;  ///< set if minimum_time was requested
+  winding::Clearance clearance;         ///< least clearance; its `move` is an index in path.pieces
+  ClearanceCurve clearance_curve;
   std::vector<double> clearance_times;   ///< s, when the needle passes each of its bounds
   std::string nearest;                   ///< name of the nearest obstacle, such as "stack"
   std::shared_ptr<const PosePath> tool;  ///< path.pieces as a path; source() of a segment is the index in path.pieces
