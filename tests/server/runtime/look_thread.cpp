@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <future>
 
 #include "../manual_time.hpp"
 
@@ -36,17 +37,16 @@ TEST(LookThread, LooksAtOnceThenWhenTheTimeOfTheLastLookHasPassed) {
 TEST(LookThread, ANotificationDuringALookIsNotMissed) {
   ManualTime time;
   std::atomic<int> looks{0};
-  std::atomic<bool> go{false};
+  std::promise<void> go;
   LookThread thread(
       [&] {
-        if (++looks == 1)
-          while (!go) std::this_thread::sleep_for(1ms);
+        if (++looks == 1) go.get_future().wait();
         return 1h;
       },
       time);
   EXPECT_TRUE(soon([&] { return looks == 1; }));
   thread.notify();
-  go = true;
+  go.set_value();
   EXPECT_TRUE(soon([&] { return looks == 2; }));
 }
 
