@@ -14,7 +14,7 @@ const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
  *  machine. The sandbox does not run as root. */
 export async function launch() {
   if (!existsSync(executablePath)) throw new Error(`There is no ${executablePath}. Install Debian's package chromium, or set CHROMIUM to the path of one.`);
-  const args = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage', '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'];
+  const args = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing', '--disable-dev-shm-usage', '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'];
   return chromium.launch({ executablePath, args, chromiumSandbox: process.getuid() !== 0 });
 }
 
