@@ -1,9 +1,13 @@
 #include "server/pages/shell.hpp"
 
+#include <array>
+
+#include "api/problem.hpp"
+#include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
+#include "server/http/etag.hpp"
 #include "server/keys/key_ring.hpp"
 #include "server/pages/assets.hpp"
-#include "server/runtime/sha256.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -53,11 +57,6 @@ std::string navigation(const Request& request, const Texts& text) {
   return html + "</header>\n";
 }
 
-bool known(const Request& request, const std::string& etag) {
-  const auto given = request.header("if-none-match");
-  return given && given->find(etag) != std::string::npos;
-}
-
 }  // namespace
 
 std::string escape_html(std::string_view text) {
@@ -100,6 +99,12 @@ std::string prose_html(std::string_view text) {
   return code ? out + "</code>" : out;
 }
 
+void require_page(const Request& request) {
+  static constexpr std::array<std::string_view, 1> offers{"text/html"};
+  if (!negotiate(request.header("accept"), offers))
+    throw api::Problem("not-acceptable", "This page comes as text/html.");
+}
+
 Response html_page(const Request& request, const Page& page) {
   const Texts text(language_of(request));
   const std::string title = escape_html(page.title);
@@ -128,13 +133,8 @@ Response html_page(const Request& request, const Page& page) {
 
 Response tagged_page(const Request& request, const Page& page) {
   Response response = html_page(request, page);
-  const std::string etag = "\"" + sha256(response.body).substr(0, 32) + "\"";
-  response.set("ETag", etag);
-  if (known(request, etag)) {
-    response.status = 304;
-    response.body.clear();
-  }
-  return response;
+  const std::string etag = etag_of(response.body);
+  return with_etag(request, etag, std::move(response));
 }
 
 }  // namespace bahnwerk::server

@@ -19,6 +19,9 @@ struct Page {
   std::string heading = {};  ///< HTML in place of the title as a heading; empty: the title
 };
 
+/// Throws Problem not-acceptable unless the request accepts text/html.
+void require_page(const Request& request);
+
 /// Returns a whole page in the language of the request, with style, icon and module of this service alone, under a
 /// Content-Security-Policy that allows nothing else: no inline script or style, no outside address, no HTML made of
 /// text. The parameter `lang` is remembered in a cookie.

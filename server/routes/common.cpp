@@ -87,32 +87,9 @@ void require_json(const Request& request) {
     throw api::Problem("not-acceptable", "This address answers application/json only.");
 }
 
-namespace {
-
-/// Tells whether a list of tags contains `etag` or is "*"; a weak one counts only where the comparison is weak.
-bool names_etag(std::string_view rest, const std::string& etag, bool weakly) {
-  while (!rest.empty()) {
-    const std::size_t comma = rest.find(',');
-    std::string_view item = rest.substr(0, comma);
-    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
-    while (item.starts_with(' ')) item.remove_prefix(1);
-    while (item.ends_with(' ')) item.remove_suffix(1);
-    if (weakly && item.starts_with("W/")) item.remove_prefix(2);
-    if (item == "*" || item == etag) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
-bool matches_etag(const Request& request, const std::string& etag) {
-  const auto given = request.header("if-none-match");
-  return given && names_etag(*given, etag, true);
-}
-
 void require_precondition(const Request& request, const api::Job& job) {
   const auto given = request.header("if-match");
-  if (given && !names_etag(*given, job_etag(job), false))
+  if (given && !names_etag(*given, job_etag(job), Comparison::strong))
     throw api::Problem("precondition-failed", "The job's ETag is " + job_etag(job) + ".");
   if (matches_etag(request, job_etag(job)))
     throw api::Problem("precondition-failed", "The job's ETag is " + job_etag(job) + ", as If-None-Match says.");
@@ -127,19 +104,6 @@ Handler scan_unless_known(Context& context, Tag tag, std::function<Response(cons
           return reply(with_etag(*request, etag, Response().set("Vary", "Accept")));
     handler(request, reply);
   };
-}
-
-Response with_etag(const Request& request, const std::string& etag, Response response) {
-  if (matches_etag(request, etag)) {
-    response.status = 304;
-    response.body.clear();
-    response.stream = nullptr;
-    response.length.reset();
-    response.feed = nullptr;
-  }
-  response.set("ETag", etag);
-  response.set("Cache-Control", "no-cache");
-  return response;
 }
 
 }  // namespace bahnwerk::server

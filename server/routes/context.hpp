@@ -6,6 +6,7 @@
 
 #include "api/examples.hpp"
 #include "server/callbacks/callback_hosts.hpp"
+#include "server/http/etag.hpp"
 #include "server/http/router.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
@@ -77,19 +78,11 @@ std::optional<double> remaining_seconds(const api::Job& job, std::int64_t now);
 Response job_answer(const Context& context, int status, const Request& request, const api::Job& job);
 /// Throws Problem not-acceptable unless the request accepts application/json.
 void require_json(const Request& request);
-/// Answers 304 when If-None-Match names `etag` (quotes included), else `response` with it.
-Response with_etag(const Request& request, const std::string& etag, Response response);
-bool matches_etag(const Request& request, const std::string& etag);
 /// Throws Problem precondition-failed when If-Match does not name the tag of the job, or If-None-Match does: for
 /// requests that change something [RFC 9110, 13.1].
 void require_precondition(const Request& request, const api::Job& job);
 /// Returns the tag of something that was made for a job: it names `what`, the program that answers and the attempt.
 std::string content_etag(const Context& context, const api::Job& job, std::string_view what);
-/// Answers 304 when If-None-Match names `etag`, else what `make` returns, with the tag.
-template <class Make>
-Response unless_known(const Request& request, const std::string& etag, Make&& make) {
-  return with_etag(request, etag, matches_etag(request, etag) ? Response() : make());
-}
 /// Returns a handler that runs `work` on the pool of scans. If the job was read a moment ago and the client has what
 /// `tag` names, it answers 304 without another thread; `tag` returns "" where only `work` can tell.
 using Tag = std::function<std::string(const Request&, const api::Job&)>;

@@ -14,7 +14,6 @@
 #include "server/routes/context.hpp"
 #include "server/routes/document_check.hpp"
 #include "server/runtime/log.hpp"
-#include "server/runtime/sha256.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -42,8 +41,7 @@ void add_own(std::vector<api::MachineFile>& machines, const std::filesystem::pat
 /// Answers a text that stays the same while the process runs, under the hash of its bytes.
 Response constant(const Request& request, const std::string& text) {
   require_json(request);
-  return unless_known(request, "\"" + sha256(text).substr(0, 32) + "\"",
-                      [&] { return text_answer(200, "application/json", text); });
+  return unless_known(request, etag_of(text), [&] { return text_answer(200, "application/json", text); });
 }
 
 /// Returns a document with a proxy's prefix before the addresses of the entries of `list`.

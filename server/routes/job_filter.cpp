@@ -1,8 +1,7 @@
 #include "server/routes/job_filter.hpp"
 
-#include <charconv>
-
 #include "api/problem.hpp"
+#include "api/text/query_values.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -39,8 +38,8 @@ JobFilter parse_filter(const Pairs& query) {
       if (!time) bad_query(name, "expected an RFC 3339 time such as 2026-01-31T12:00:00Z");
       (name == "created_after" ? filter.created_after : filter.created_before) = *time;
     } else if (name == "limit") {
-      const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), filter.limit);
-      if (error != std::errc() || end != value.data() + value.size() || filter.limit < 1 || filter.limit > longest_list)
+      filter.limit = api::natural(value).value_or(0);
+      if (filter.limit < 1 || filter.limit > longest_list)
         bad_query(name, "expected an integer from 1 to " + std::to_string(longest_list));
     } else {  // cursor: the router lets nothing else through
       if (value.size() != 36 || value.find_first_not_of("0123456789abcdef-") != std::string::npos)

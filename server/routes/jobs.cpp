@@ -14,7 +14,6 @@
 #include "server/routes/waiting.hpp"
 #include "server/routes/watch.hpp"
 #include "server/runtime/clock.hpp"
-#include "server/runtime/sha256.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -49,7 +48,7 @@ Page page(Context& context, const Request& request) {
     counts[std::string(api::to_string(each))] = count;
   page.document = {{"jobs", std::move(list)}, {"next", nullptr}, {"counts", counts}};
   if (more) page.document["next"] = jobs.back().id;
-  page.etag = "\"" + sha256(state + counts.dump() + page.document["next"].dump()).substr(0, 32) + "\"";
+  page.etag = etag_of(state + counts.dump() + page.document["next"].dump());
   return page;
 }
 

@@ -10,6 +10,7 @@
 #include "api/problem.hpp"
 #include "api/setpoints/setpoint_rows.hpp"
 #include "api/text/pointer.hpp"
+#include "api/text/query_values.hpp"
 #include "api/views/path_answer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
@@ -72,10 +73,7 @@ std::vector<api::PathColumn> columns_of(const api::PathQuery& query, const api::
       const auto is_it = [&](const Column& column) { return column.name == name; };
       const auto found = std::find_if(series.columns.begin(), series.columns.end(), is_it);
       const auto at = static_cast<std::size_t>(found - series.columns.begin());
-      if (found == series.columns.end()) {
-        const std::string message = "this series has no column " + name;
-        throw api::Problem("schema-violation", "/query/columns: " + message, {{"/query/columns", message}});
-      }
+      if (found == series.columns.end()) api::refuse_parameter("columns", "this series has no column " + name);
       columns.push_back(
           {name, series.columns[at].unit, [series, at, row = std::vector<double>()](const api::PathVertex& v) mutable {
              series.read(v.row, 1, row);

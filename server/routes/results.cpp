@@ -5,11 +5,11 @@
 #include "api/problem.hpp"
 #include "api/setpoints/result_files.hpp"
 #include "api/setpoints/setpoints.hpp"
-#include "api/text/json_parts.hpp"
 #include "api/text/pointer.hpp"
 #include "api/text/query_values.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
+#include "server/routes/stored_document.hpp"
 #include "server/routes/stored_series.hpp"
 
 namespace bahnwerk::server {
@@ -32,17 +32,6 @@ std::vector<std::string> asked_parts(const Request& request) {
   return parts;
 }
 
-/// Answers members of a stored result, which is read up to the last of them.
-Response some_parts(StoredText& document, const std::vector<std::string>& names) {
-  api::JsonParts parts(names);
-  std::string piece;
-  for (bool more = true; more && document.next(piece);) {
-    more = parts.take(piece);
-    piece.clear();
-  }
-  return text_answer(200, "application/json", parts.document());
-}
-
 Response result(Context& context, const Request& request) {
   require_json(request);
   const std::vector<std::string> parts = asked_parts(request);
@@ -53,7 +42,7 @@ Response result(Context& context, const Request& request) {
     if (!document) require_success(context, id);  // a failure of an older version
     if (!document)
       throw api::Problem("not-found", "There is no job " + api::shortened(id) + ".");  // the job was deleted in between
-    if (!parts.empty()) return some_parts(*document, parts);
+    if (!parts.empty()) return text_answer(200, "application/json", read_parts(*document, parts));
     return text_answer("application/json", std::move(document));
   });
 }

@@ -4,29 +4,21 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "api/kind.hpp"
 #include "api/problem.hpp"
 #include "api/text/pointer.hpp"
 #include "api/views/view_facts.hpp"
-#include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
+#include "server/routes/stored_document.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
 /// Returns what the views need of the stored document; nothing where this version refuses it.
 std::shared_ptr<const api::ViewFacts> facts_of(Context& context, const std::string& id) {
-  const auto job = context.store.get(id, true);
-  const api::Kind* kind = job ? api::find_kind(job->request.kind) : nullptr;
-  if (!kind || !kind->view_facts) return nullptr;
-  SilentProgress progress;
-  try {
-    return kind->view_facts(api::job_spec(job->request.document), progress);
-  } catch (const InvalidInput&) {
-    return nullptr;
-  } catch (const api::Problem&) {
-    return nullptr;
-  }
+  return of_stored_spec(context, id, [](const StoredSpec& stored) -> std::shared_ptr<const api::ViewFacts> {
+    SilentProgress progress;
+    return stored.kind->view_facts ? stored.kind->view_facts(stored.spec, progress) : nullptr;
+  });
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ const std::map<std::string, int> answers{{"POST /v1/jobs", 202},
                                          {"GET /healthz", 200},
                                          {"GET /readyz", 200},
                                          {"GET /metrics", 200},
-                                         {"GET /assets/{version}/{name}", 404},  // of another version
+                                         {"GET /assets/{version}/{name}", 404},  // a file of another version
                                          {"GET /", 200},
                                          {"GET /jobs", 200},
                                          {"GET /new", 200},

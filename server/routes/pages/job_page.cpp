@@ -1,4 +1,4 @@
-#include "server/routes/job_page.hpp"
+#include "server/routes/pages/job_page.hpp"
 
 #include <array>
 #include <limits>
@@ -18,9 +18,9 @@
 #include "server/pages/shell.hpp"
 #include "server/pages/texts.hpp"
 #include "server/routes/blocks.hpp"
-#include "server/routes/result_html.hpp"
+#include "server/routes/pages/result_html.hpp"
+#include "server/routes/pages/why_html.hpp"
 #include "server/routes/stored_series.hpp"
-#include "server/routes/why_html.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -319,8 +319,6 @@ std::string time_label(std::int64_t ms) {
   return "<time datetime=\"" + text + "\">" + text.substr(0, 10) + " " + text.substr(11, 8) + " UTC</time>";
 }
 
-std::string state_label(const api::Job& job) { return state_label(job, Texts(Language::en)); }
-
 std::string state_label(const api::Job& job, const Texts& text) {
   const std::string state(api::to_string(job.state));
   std::string html = "<span class=\"state " + state + "\">" + escape_html(text("job.state_" + state)) + "</span>";
@@ -331,9 +329,7 @@ std::string state_label(const api::Job& job, const Texts& text) {
 }
 
 Response job_page(Context& context, const Request& request) {
-  static constexpr std::array<std::string_view, 1> offers{"text/html"};
-  if (!negotiate(request.header("accept"), offers))
-    throw api::Problem("not-acceptable", "This page comes as text/html.");
+  require_page(request);
   const Texts text(language_of(request));
   const api::Job job = find_job(context, request.parameter("id"));
   ordered_json result;

@@ -14,7 +14,6 @@ Response drawing(Context& context, const Request& request);
 
 /// Returns a job's state as the pages show it.
 std::string state_label(const api::Job& job, const Texts& text);
-std::string state_label(const api::Job& job);  ///< in English
 /// Returns "2026-01-31 12:00:00 UTC" for ms since 1970 UTC, in an element whose text the page's script replaces by the
 /// local time.
 std::string time_label(std::int64_t ms);

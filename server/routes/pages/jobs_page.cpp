@@ -1,21 +1,18 @@
-#include "server/routes/jobs_page.hpp"
+#include "server/routes/pages/jobs_page.hpp"
 
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
 #include "api/kind.hpp"
-#include "api/problem.hpp"
-#include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
 #include "server/http/uri.hpp"
 #include "server/pages/assets.hpp"
 #include "server/pages/shell.hpp"
 #include "server/routes/job_filter.hpp"
-#include "server/routes/job_page.hpp"
-#include "server/routes/result_html.hpp"
-#include "server/runtime/sha256.hpp"
+#include "server/routes/pages/job_page.hpp"
+#include "server/routes/pages/result_html.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -33,9 +30,8 @@ struct Listed {
 std::optional<double> motion_duration(Context& context, const api::Job& job) {
   if (job.state != api::JobState::succeeded) return std::nullopt;
   const auto info = context.store.series(job.id);
-  const bool in_time = job.request.kind != "motion_law";  // a law over an angle has no duration of its own
-  return info && info->count > 0 && in_time ? std::optional(static_cast<double>(info->count - 1) * info->cycle_time)
-                                            : std::nullopt;
+  const bool in_time = info && info->count > 0 && info->independent.time();
+  return in_time ? std::optional(static_cast<double>(info->count - 1) * info->cycle_time) : std::nullopt;
 }
 
 Listed read_list(Context& context, const Request& request) {
@@ -77,7 +73,7 @@ Response jobs_data(Context& context, const Request& request) {
   nlohmann::ordered_json document{{"jobs", std::move(list)}, {"next", nullptr}, {"counts", std::move(counts)}};
   if (listed.next) document["next"] = *listed.next;
   Response response = json_answer(200, document);
-  const std::string etag = "\"" + sha256(response.body).substr(0, 32) + "\"";
+  const std::string etag = etag_of(response.body);
   return with_etag(request, etag, std::move(response)).set("Vary", "Cookie");
 }
 
@@ -171,7 +167,7 @@ std::string row(Context& context, const Texts& text, const api::Job& job, const 
   html += "</a></th><td class=\"kind\">" + escape_html(kind_name(text, job.request.kind)) +
           "</td><td class=\"reference\"><bdi>" + escape_html(job.request.reference.value_or("")) +
           "</bdi></td><td class=\"status\">" + state_cell(context, text, job) + "</td><td class=\"n duration\">" +
-          (duration ? text.number(duration_label(*duration)) : std::string()) + "</td><td class=\"age\">" +
+          (duration ? duration_label(*duration, text) : std::string()) + "</td><td class=\"age\">" +
           time_label(job.created_at) + "</td><td class=\"actions\"></td></tr>\n";
   return html;
 }
@@ -231,12 +227,6 @@ std::string first_open(const Request& request, const Texts& text) {
 }
 
 }  // namespace
-
-void require_page(const Request& request) {
-  static constexpr std::array<std::string_view, 1> offers{"text/html"};
-  if (!negotiate(request.header("accept"), offers))
-    throw api::Problem("not-acceptable", "This page comes as text/html.");
-}
 
 Response jobs_page(Context& context, const Request& request) {
   require_page(request);

@@ -4,9 +4,6 @@
 
 namespace bahnwerk::server {
 
-/// Throws Problem not-acceptable unless the request accepts text/html.
-void require_page(const Request& request);
-
 /// Answers the list of jobs as a page, with the filters that GET /v1/jobs takes, 50 jobs at a time; where there is no
 /// job at all, what a newcomer needs.
 Response jobs_page(Context& context, const Request& request);

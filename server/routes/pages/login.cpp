@@ -1,11 +1,11 @@
-#include "server/routes/login.hpp"
+#include "server/routes/pages/login.hpp"
 
 #include "api/problem.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
 #include "server/http/uri.hpp"
 #include "server/pages/shell.hpp"
-#include "server/routes/problem_page.hpp"
+#include "server/routes/pages/problem_page.hpp"
 
 namespace bahnwerk::server {
 namespace {

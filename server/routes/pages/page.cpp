@@ -1,8 +1,8 @@
 #include "server/http/middleware.hpp"
 #include "server/pages/shell.hpp"
 #include "server/routes/context.hpp"
-#include "server/routes/job_page.hpp"
-#include "server/routes/jobs_page.hpp"
+#include "server/routes/pages/job_page.hpp"
+#include "server/routes/pages/jobs_page.hpp"
 
 namespace bahnwerk::server {
 namespace {

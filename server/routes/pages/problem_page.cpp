@@ -1,4 +1,4 @@
-#include "server/routes/problem_page.hpp"
+#include "server/routes/pages/problem_page.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include "api/problem.hpp"
 #include "server/http/accept.hpp"
 #include "server/pages/shell.hpp"
-#include "server/routes/login.hpp"
+#include "server/routes/pages/login.hpp"
 
 namespace bahnwerk::server {
 namespace {

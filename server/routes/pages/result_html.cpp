@@ -1,4 +1,4 @@
-#include "server/routes/result_html.hpp"
+#include "server/routes/pages/result_html.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "api/setpoints/result_units.hpp"
 #include "server/pages/shell.hpp"
-#include "server/routes/json_members.hpp"
+#include "server/routes/pages/json_members.hpp"
 
 namespace bahnwerk::server {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/routes/why_html.hpp"
+#include "server/routes/pages/why_html.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "server/pages/shell.hpp"
-#include "server/routes/json_members.hpp"
-#include "server/routes/result_html.hpp"
+#include "server/routes/pages/json_members.hpp"
+#include "server/routes/pages/result_html.hpp"
 
 namespace bahnwerk::server {
 namespace {

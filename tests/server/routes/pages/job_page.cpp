@@ -1,4 +1,4 @@
-#include "server/routes/job_page.hpp"
+#include "server/routes/pages/job_page.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +14,17 @@ TEST(JobPage, TimesAreWholeSecondsOfUtc) {
 TEST(JobPage, OnlyARunningJobShowsHowFarItIs) {
   api::Job job;
   job.fraction = 0.25;
-  EXPECT_EQ(state_label(job), "<span class=\"state queued\">queued</span>");
+  EXPECT_EQ(state_label(job, Texts(Language::en)), "<span class=\"state queued\">queued</span>");
   job.state = api::JobState::running;
-  EXPECT_EQ(state_label(job), "<span class=\"state running\">running</span> 25 %");
+  EXPECT_EQ(state_label(job, Texts(Language::en)), "<span class=\"state running\">running</span> 25 %");
   for (int percent = 0; percent < 100; ++percent) {
     job.fraction = percent / 100.0;
-    EXPECT_TRUE(state_label(job).ends_with(" " + std::to_string(percent) + " %")) << state_label(job);
+    EXPECT_TRUE(state_label(job, Texts(Language::en)).ends_with(" " + std::to_string(percent) + " %"))
+        << state_label(job, Texts(Language::en));
   }
   EXPECT_EQ(state_label(job, Texts(Language::de)), "<span class=\"state running\">läuft</span> 99 %");
   job.fraction = 0.999;
-  EXPECT_TRUE(state_label(job).ends_with(" 99 %")) << "100 % is for what has ended";
+  EXPECT_TRUE(state_label(job, Texts(Language::en)).ends_with(" 99 %")) << "100 % is for what has ended";
 }
 
 }  // namespace

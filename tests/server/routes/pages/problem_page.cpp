@@ -1,4 +1,4 @@
-#include "server/routes/problem_page.hpp"
+#include "server/routes/pages/problem_page.hpp"
 
 #include <gtest/gtest.h>
 

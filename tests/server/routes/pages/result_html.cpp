@@ -1,4 +1,4 @@
-#include "server/routes/result_html.hpp"
+#include "server/routes/pages/result_html.hpp"
 
 #include <gtest/gtest.h>
 

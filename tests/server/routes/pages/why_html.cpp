@@ -1,4 +1,4 @@
-#include "server/routes/why_html.hpp"
+#include "server/routes/pages/why_html.hpp"
 
 #include <gtest/gtest.h>
 
