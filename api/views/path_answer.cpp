@@ -19,6 +19,7 @@ constexpr std::array axes{"x", "y", "z"};
 constexpr std::array<std::string_view, 8> column_names{"v", "limit", "mode", "block", "line", "use", "phi", "psi"};
 constexpr std::size_t default_points = 2000;
 constexpr std::size_t candidates = 16;  // vertices that are read for each one that is asked for
+constexpr std::size_t rows_each = 2;    // rows that are read for each vertex that is asked for
 
 /// Returns what a value was read as; refuses the parameter if it could not be read.
 template <class T>
@@ -187,7 +188,7 @@ ChosenPath choose_path(const StoredPath& path, const PathQuery& query, const Pat
   std::vector<StoredPath::Run> runs = path.read(level, first, end, query.box);
   double stored = path_tolerances[level];
   if (level == 0 &&
-      (query.points ? rows_of(runs, first, end) <= candidates * *query.points : stored > *query.tolerance)) {
+      (query.points ? rows_of(runs, first, end) <= rows_each * *query.points : stored > *query.tolerance)) {
     stored = query.tolerance.value_or(0);
     runs = from_rows(runs, rows, first, end, stored, planar);
   }

@@ -1,5 +1,5 @@
 // What pages cost, in numbers that do not depend on a clock: requests, bytes over the wire, rows of setpoints that the service reads, segments drawn.
-import { assert, longSheet, test } from './support.mjs';
+import { assert, longSheet, longWinding, test } from './support.mjs';
 
 const kB = 1000;
 const rowsRead = (service) => service.metric('bahnwerk_setpoint_rows_read_total');
@@ -50,13 +50,23 @@ test('a million rows: few requests, bytes, rows and segments, whole and zoomed i
     assert.ok(page.traffic().count > count, 'zooming in asked for finer data');
   });
 
-for (const [name, document, limit] of [['in the plane', 'bracket.json', 110], ['in space', 'probe_space.json', 270]])
+for (const [name, document, limit] of [['in the plane', longSheet(), 110], ['in space', 'probe_space.json', 270]])
   test(`the page of a job ${name} is small without its data`, async ({ service, visit }) => {
-    const { id } = await service.planned(longSheet());
+    const { id } = await service.planned(document);
     const page = await opened(visit, `/jobs/${id}`, '#path canvas');
     const { bytes, list } = page.traffic({ data: false });
     atMost('bytes', bytes, limit * kB, list);
   });
+
+test('a winding of 80 000 rows: few rows are read until all is drawn', { alone: true }, async ({ service, visit }) => {
+  const { id } = await service.planned(longWinding());
+  const rows = await rowsRead(service);
+  const page = await opened(visit, `/jobs/${id}`, '#path canvas');
+  await page.locator('#kind').scrollIntoViewIfNeeded();
+  await page.locator('#kind h2').first().waitFor();
+  await page.quiet();
+  atMost('rows read', (await rowsRead(service)) - rows, 20_000, page.traffic().list);
+});
 
 test('the list of jobs is small', async ({ own, visit }) => {
   const many = await own('--workers', '1');
