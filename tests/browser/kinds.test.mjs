@@ -1,7 +1,5 @@
 // What a job's page shows of its kind, driven as somebody drives it.
-import { assert, colours, example, test, variants } from './support.mjs';
-
-const kinds = { 'coarse and fine': 'parts/fine_sheet.json', fill_factor: 'stator_slot.json', winding: 'rotor_coil.json', motion_law: 'tolerance_boxes.json', cam: 'radial_cam.json', probe_path: 'probe_space.json' };
+import { assert, example, test } from './support.mjs';
 
 /** Brings the section of the kind into view and waits until it is there. */
 async function kindOf(page) {
@@ -9,22 +7,6 @@ async function kindOf(page) {
   await page.locator('#kind h2').first().waitFor();
   await page.quiet();
 }
-
-for (const [name, file] of Object.entries(kinds))
-  test(`${name}: the section of the kind on a desk and on a phone`, async ({ service, visit }) => {
-    const { id } = await service.planned(file);
-    for (const variant of [variants[0], variants[3]]) { // the others are visited by pages.test.mjs
-      const page = await visit(`/jobs/${id}`, variant);
-      await kindOf(page);
-      await page.expectNoSidewaysScroll();
-      await page.axe();
-      for (const canvas of await page.locator('#kind canvas:not(.above)').all()) {
-        await canvas.scrollIntoViewIfNeeded();
-        assert.ok(colours(await page.pixels(canvas)) > 2, await canvas.getAttribute('aria-label'));
-      }
-      await page.close();
-    }
-  });
 
 test('fill_factor: a click on the map draws that layout, the slider lays its wires, the address carries both', async ({ service, visit }) => {
   const { id } = await service.planned('stator_slot.json');

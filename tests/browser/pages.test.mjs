@@ -1,6 +1,6 @@
 // What holds on every page, in both sizes, both schemes, both languages: nothing on the console, nothing against the policy, no request to elsewhere, no
 // scrolling sideways, nothing serious or critical for axe. Each visit checks the first three when it closes.
-import { assert, example, snake, test, variants } from './support.mjs';
+import { assert, colours, example, snake, test } from './support.mjs';
 
 const job = (document) => async (service) => `/jobs/${(await service.planned(document)).id}`;
 
@@ -17,9 +17,11 @@ async function failed(service) {
 const pages = {
   'jobs': async (service) => (await service.planned('bracket.json')) && '/',
   'contour in the plane': job('bracket.json'),
+  'coarse and fine': job('parts/fine_sheet.json'),
   'fill factor': job('stator_slot.json'),
   'winding': job('rotor_coil.json'),
   'motion law': job('tolerance_boxes.json'),
+  'cam': job('radial_cam.json'),
   'probe path': job('probe_space.json'),
   'a strange name': job(strange),
   'a failed job': failed,
@@ -31,13 +33,30 @@ const pages = {
   'a page that does not exist': async () => '/nowhere',
 };
 
+/** Opens the page in both languages. Each is then of both sizes and both schemes; what does not depend on colours is looked at once. */
 async function visitAll(visit, path, options = {}) {
-  for (const variant of variants) {
-    const page = await visit(path, { ...variant, ...options });
+  for (const lang of ['en', 'de']) {
+    const page = await visit(path, { size: 'desk', scheme: lang === 'en' ? 'light' : 'dark', lang, ...options });
     await page.quiet();
-    assert.equal(await page.locator('html').getAttribute('lang'), variant.lang);
-    await page.expectNoSidewaysScroll();
-    await page.axe();
+    assert.equal(await page.locator('html').getAttribute('lang'), lang);
+    const kind = page.locator('#kind');
+    if (await kind.count()) {
+      await kind.scrollIntoViewIfNeeded();
+      await kind.locator('h2').first().waitFor();
+      await page.quiet();
+    }
+    for (const canvas of await kind.locator('canvas:not(.above)').all()) {
+      await canvas.scrollIntoViewIfNeeded();
+      assert.ok(colours(await page.pixels(canvas)) > 2, await canvas.getAttribute('aria-label'));
+    }
+    for (const size of ['desk', 'phone']) {
+      await page.become({ size });
+      await page.quiet();
+      await page.expectNoSidewaysScroll();
+      await page.axe();
+      await page.become({ scheme: page.options.scheme === 'light' ? 'dark' : 'light' });
+      await page.axe({ colours: true });
+    }
     await page.close();
   }
 }

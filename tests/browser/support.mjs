@@ -10,12 +10,3 @@ export const declared = [];
 export function test(name, options, run = options) {
   declared.push({ name, alone: options.alone === true, run });
 }
-
-/** Every variant that a page is shown in. */
-/** Both sizes, schemes and languages, each pair of them together at least once. */
-export const variants = [
-  { size: 'desk', scheme: 'light', lang: 'en' },
-  { size: 'desk', scheme: 'dark', lang: 'de' },
-  { size: 'phone', scheme: 'light', lang: 'de' },
-  { size: 'phone', scheme: 'dark', lang: 'en' },
-];
