@@ -8,6 +8,7 @@ namespace {
 
 constexpr double change = 0.1;       // part of the largest jerk by which it changes at a piece that is halved
 constexpr double hidden = 1e-6;      // part of a usual derivative that rounding may hide in a piece
+constexpr double kept = 1e-10;       // part of the largest acceleration that rounding may hide at a joint of pieces
 constexpr double least_ramp = 1e-3;  // share of a section below which no piece is halved where no jerk is limited
 constexpr std::size_t jerk_order = 3;
 
@@ -51,6 +52,7 @@ LawBasis halve_at_changes(const LawTask& task, const LawBasis& basis, const Spli
     for (std::size_t i = 0; i < own.pieces(); ++i) {
       const double half = own.length(i) / 2;
       if (!jerk[s].empty() && half >= shortest &&
+          published_rounding(task, static_cast<int>(own.degree()), length * half, 2) <= kept * spline.peaks[2] &&
           published_rounding(task, static_cast<int>(own.degree()), length * half, order) <= most) {
         const PieceJerk& here = jerk[s][i];
         const double before = i > 0 ? std::abs(here.first - jerk[s][i - 1].last) : 0;
