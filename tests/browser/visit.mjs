@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { settings, sizes } from './chromium.mjs';
+import { settings } from './chromium.mjs';
 import { decode } from './png.mjs';
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -45,6 +45,7 @@ export class Visit {
     this.faults.push(`${this.path}: ${text}`);
   }
   #consoleLine(text, place = '') {
+    if (/GPU stall due to ReadPixels/.test(text)) return; // space is drawn and composed by the processor here
     const expected = this.options.expect ?? {};
     if ((expected.console ?? []).some((pattern) => pattern.test(text))) return;
     const status = /^Failed to load resource: .*status of (\d+)/.exec(text);
@@ -123,27 +124,17 @@ export class Visit {
     return { count: counted.length, bytes: counted.reduce((sum, { bytes }) => sum + bytes, 0), list: counted.map(({ method, url, bytes }) => `${method} ${url} ${bytes}`) };
   }
 
-  /** Gives the open page another size or scheme, as where a window is made smaller or the system goes dark. */
-  async become({ size = this.options.size, scheme = this.options.scheme }) {
-    this.options = { ...this.options, size, scheme };
-    const { viewport, deviceScaleFactor = 1, isMobile = false, hasTouch = false } = sizes[size];
-    await this.page.setViewportSize(viewport);
-    await this.cdp.send('Emulation.setDeviceMetricsOverride', { ...viewport, deviceScaleFactor, mobile: isMobile });
-    await this.cdp.send('Emulation.setTouchEmulationEnabled', { enabled: hasTouch });
-    await this.page.emulateMedia({ colorScheme: scheme });
-  }
-
   /** Fails where the page is wider than the window, and names what reaches furthest. */
   async expectNoSidewaysScroll() {
-    const { width } = sizes[this.options.size ?? 'desk'].viewport, { cssContentSize } = await this.cdp.send('Page.getLayoutMetrics');
+    const { width } = this.page.viewportSize(), { cssContentSize } = await this.cdp.send('Page.getLayoutMetrics');
     if (cssContentSize.width <= width) return;
     const widest = await this.read(`[...document.body.querySelectorAll('*')].map((e) => [e.getBoundingClientRect().left + Math.max(e.offsetWidth ?? 0, e.scrollWidth), e])
       .sort((a, b) => b[0] - a[0]).slice(0, 4).map(([right, e]) => e.tagName.toLowerCase() + (e.id && '#' + e.id) + ' to ' + Math.round(right)).join(', ')`);
     assert.fail(`${this.path}, ${this.variant()}: ${cssContentSize.width} px wide in a window of ${width} px: ${widest}`);
   }
 
-  /** Fails where axe finds something serious or critical, of colours alone if asked for. Axe runs in a world of its own beside the page's modules. */
-  async axe({ colours = false } = {}) {
+  /** Fails where axe finds something serious or critical. Axe runs in a world of its own beside the page's modules. */
+  async axe() {
     const { frameTree } = await this.cdp.send('Page.getFrameTree');
     const { executionContextId: contextId } = await this.cdp.send('Page.createIsolatedWorld', { frameId: frameTree.frame.id, worldName: 'axe' });
     const run = async (expression) => {
@@ -153,7 +144,7 @@ export class Visit {
     };
     await run(axeSource);
     const found = JSON.parse(
-      await run(`axe.run(document, { resultTypes: ['violations']${colours ? ", runOnly: ['color-contrast']" : ''} }).then(({ violations }) => JSON.stringify(violations
+      await run(`axe.run(document, { resultTypes: ['violations'] }).then(({ violations }) => JSON.stringify(violations
         .filter(({ impact }) => impact === 'serious' || impact === 'critical')
         .map(({ id, impact, help, nodes }) => impact + ', ' + id + ': ' + help + '\\n' + nodes.slice(0, 5).map((node) => '    ' + node.html.slice(0, 200) + '\\n      ' +
           node.failureSummary.replace(/\\s+/g, ' ')).join('\\n') + (nodes.length > 5 ? '\\n    and ' + (nodes.length - 5) + ' more' : ''))))`),
