@@ -35,12 +35,15 @@ std::string prepared_path(const std::string& url) {
 }
 
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
-                                  std::size_t reserve, const Retention& retention) {
+                                  std::size_t reserve, const Retention& retention, const SharedStoreOptions& shared) {
   check_store(url);
   if (names_postgres(url)) {
     PostgresOptions options;
     options.url = url;
     options.retention = retention;
+    options.connections = shared.connections;
+    options.signals = shared.signals;
+    options.refused = shared.refused;
     if (observer) options.observer = std::move(observer);
     return std::make_unique<PostgresStore>(std::move(options));
   }

@@ -15,11 +15,21 @@ void check_store(const std::string& url);
 /// Returns the path of an SQLite store's file, whatever links lead to it; makes its folder. Throws StoreError.
 std::string prepared_path(const std::string& url);
 
+/// How a process uses a store that processes share.
+struct SharedStoreOptions {
+  std::size_t connections = 8;  ///< most connections to its server
+  bool signals = true;          ///< whether processes tell each other of changes, beside polling
+  /// Called, from any thread and maybe again, where a server that was away at the start refuses this process for good.
+  std::function<void(const std::string&)> refused = [](const std::string&) {};
+};
+
 /// Opens the store named by a URL: sqlite:PATH (a missing directory is created), or a connection URI of PostgreSQL.
 /// `observer` receives every commit (seconds, writes); `reserve` bytes of disk are set aside for a full one, in a file
-/// beside SQLite's; ended jobs are kept as `retention` says. Throws StoreError with a sentence for the operator.
+/// beside SQLite's; ended jobs are kept as `retention` says. A server that is away may come later. Throws StoreError
+/// with a sentence for the operator.
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
-                                  std::size_t reserve = 0, const Retention& retention = {});
+                                  std::size_t reserve = 0, const Retention& retention = {},
+                                  const SharedStoreOptions& shared = {});
 
 struct BackUp {
   std::size_t jobs = 0, bytes = 0;

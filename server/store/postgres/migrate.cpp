@@ -45,9 +45,8 @@ int postgres_version(PostgresConnection& connection) {
       connection.run("SELECT coalesce(max(version), 0), coalesce(max(min_reader), 0) FROM bahnwerk.schema_version");
   const auto least = rows.integer(0, 1), known = static_cast<std::int64_t>(postgres_migrations().size());
   if (least > known)
-    throw StoreError("the store was written by a newer version: it needs schema version " + std::to_string(least) +
-                         ", this program knows only up to " + std::to_string(known),
-                     false);
+    throw StoreRefused("the store was written by a newer version: it needs schema version " + std::to_string(least) +
+                       ", this program knows only up to " + std::to_string(known));
   return static_cast<int>(rows.integer(0, 0));
 }
 
