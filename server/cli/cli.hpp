@@ -18,7 +18,7 @@ inline constexpr int exit_unreachable = 3;  ///< no server answered, or it canno
 /// Runs the program and returns its exit code.
 int run(int argc, char** argv, const BuildInfo& build);
 
-int serve(const ServiceOptions& options);
+int serve(ServiceOptions options);
 /// Plans the document `job` in this process. With `out`, writes result.json and drawings there, and setpoints.csv in a
 /// layout of api::csv_layouts (empty: plain), in a frame of api::setpoint_frames (empty: that of the layout); for a
 /// layout of api::result_layouts() also the kind's file in that layout. A plan that is not verified has no setpoints,
