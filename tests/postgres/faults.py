@@ -5,6 +5,7 @@
 
 Nothing that was acknowledged is lost, each job has one result, clients of one process see what others do. Exit 77: there is no server.
 """
+import http.client
 import json
 import os
 import pathlib
@@ -160,6 +161,13 @@ def shows_what_others_do(plant):
     one, other = plant.apis
     id = one.post(LONG)
     until(lambda: other.json(f"/v1/jobs/{id}")["state"] == "running", "the job runs")
+    for path in (f"/v1/jobs/{id}/events", "/v1/events"):
+        stream = http.client.HTTPConnection("127.0.0.1", other.port, timeout=600)
+        stream.request("GET", path)
+        answer = stream.getresponse()
+        while b"event: progress" not in answer.readline():
+            expect(other.json(f"/v1/jobs/{id}")["state"] == "running", f"progress comes on {path} while the job runs")
+        stream.close()
     revisions = []
     for k in range(20):
         etag = plant.apis[k % 2].ask("GET", f"/v1/jobs/{id}")[1]["ETag"]

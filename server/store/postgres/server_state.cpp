@@ -1,6 +1,7 @@
 #include "server/store/postgres/server_state.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "server/runtime/log.hpp"
 
@@ -35,9 +36,11 @@ void PostgresServerState::begin_attempt() {
 
 void PostgresServerState::connected(bool read_only) {
   const std::lock_guard lock(mutex_);
-  failures_ = 0;
   next_attempt_ = {};
-  enter(read_only ? StoreState::read_only : StoreState::up);
+  if (std::exchange(failures_, 0) == 0 && state_ == StoreState::away && !read_only)
+    state_ = StoreState::up;  // as it should be at the start
+  else
+    enter(read_only ? StoreState::read_only : StoreState::up);
 }
 
 void PostgresServerState::read_only(bool value) {
