@@ -25,7 +25,7 @@ class AllJobsFeed final : public NewsFeed {
 
  private:
   Clock::time_point look_for_more() const override {
-    return running_ ? context_.time.now() + progress_interval : Clock::time_point::max();
+    return progress_due_ ? context_.time.now() + progress_interval : Clock::time_point::max();
   }
 
   std::string event_of(const Changed& changed) override {
@@ -36,12 +36,12 @@ class AllJobsFeed final : public NewsFeed {
 
   /// Returns the progress of running jobs since the last time, at most once a second.
   std::string more() override {
-    if (filter_.state && *filter_.state != api::JobState::running) return "";
-    if (context_.time.now() < last_progress_ + progress_interval) return "";
+    progress_due_ = !filter_.state || *filter_.state == api::JobState::running;
+    if (!progress_due_ || context_.time.now() < last_progress_ + progress_interval) return "";
     std::string text;
     std::map<std::string, std::uint64_t> sent;
     const auto running = context_.running.all();
-    running_ = !running.empty();
+    progress_due_ = !running.empty();
     for (const auto& [id, revision] : running) {
       const auto before = sent_.find(id);
       sent.emplace(id, revision);
@@ -71,7 +71,7 @@ class AllJobsFeed final : public NewsFeed {
   const JobFilter filter_;
   const std::string prefix_;
   Clock::time_point last_progress_{};
-  bool running_ = true;                        ///< whether any job ran at the last look
+  bool progress_due_ = true;                   ///< whether progress has to be looked for again
   std::map<std::string, std::uint64_t> sent_;  ///< revisions of running jobs whose progress the client has
 };
 
