@@ -329,6 +329,9 @@ int run(int argc, char** argv, const BuildInfo& build) {
   CLI::App* check_command =
       app.add_subcommand("check", "checks whether a store is whole, also while the service runs, or a backup of it");
   add_store(check_command);
+  CLI::App* migrate_command = app.add_subcommand(
+      "migrate", "brings the schema of a PostgreSQL store up to date, for those who serve as a user who may not");
+  add_store(migrate_command);
   CLI::App* key_command = app.add_subcommand("key", "adds, lists and removes keys, also while the service runs");
   key_command->require_subcommand(1);
   CLI::App* add_command = key_command->add_subcommand("add", "makes a key and prints it, once");
@@ -368,6 +371,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
       {add_command, "0 added, 2 not: bad usage, or the store cannot be changed"},
       {list_command, "0 listed, 2 no such store, bad usage"},
       {remove_command, "0 removed, 2 there is no such key, or bad usage"},
+      {migrate_command, "0 up to date, 2 not: no such server, no permission, bad usage"},
       {check_command, "0 whole, 1 damaged, 2 no such store, bad usage"}};
   for (const auto& [command, codes] : exit_codes) {
     command->footer("Exit codes: " + std::string(codes) + ".");
@@ -397,6 +401,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
     if (*list_command) return list_keys(store);
     if (*remove_command) return remove_keys(store, name);
     if (*check_command) return check(store);
+    if (*migrate_command) return migrate(store);
     if (*health_command) return health(remote, ready);
     return fetch(remote, id, format, layout, frame);
   } catch (const std::exception& error) {

@@ -70,6 +70,12 @@ BackUp back_up(const std::string& url, const std::string& file) {
   return sqlite::back_up(url, file);
 }
 
+int migrate_store(const std::string& url) {
+  check_store(url);
+  if (!names_postgres(url)) throw StoreError("an SQLite store is brought up to date by `bahnwerk serve`", false);
+  return postgres::bring_up_to_date(url);
+}
+
 std::vector<std::string> inspect(const std::string& url) {
   return names_postgres(url) ? postgres::inspect(url) : sqlite::inspect(url);
 }

@@ -39,6 +39,11 @@ struct BackUp {
 /// StoreError with a sentence for the operator, also for a PostgreSQL store, which has tools of its own.
 BackUp back_up(const std::string& url, const std::string& file);
 
+/// Brings the schema of the PostgreSQL store named by a URL up to date, with partitions for the next days, and returns
+/// its version: for those who serve as a user who may not. Throws StoreError with a sentence for the operator, also for
+/// an SQLite store, which the service brings up to date.
+int migrate_store(const std::string& url);
+
 /// Returns what is wrong with the store named by a URL, in sentences: damaged pages, jobs without their document,
 /// results whose setpoints are not complete. It may be in use. Throws StoreError if it cannot be opened.
 std::vector<std::string> inspect(const std::string& url);

@@ -130,6 +130,15 @@ def launch(service):
         expect(service.process.poll() is None, "it lives: " + (service.folder / "log").read_text()[-1000:])
 
 
+def launch_refused(service, why):
+    """Starts a process that ends with 2."""
+    try:
+        service.start()
+    except SystemExit:
+        pass
+    expect(service.process.wait(600) == 2, why)
+
+
 def begins_without_its_server(plant):
     plant.database.make()
     plant.database.start()
@@ -149,11 +158,7 @@ def begins_without_its_server(plant):
 def refusals(plant):
     for url in (plant.database.url.replace("/bahnwerk?", "/nowhere?"), plant.database.url.replace("postgres@", "nobody-here@")):
         refused = Service(plant.binary, "--role", "api", url=url)
-        try:
-            refused.start()
-        except SystemExit:
-            pass
-        expect(refused.process.wait(600) == 2, f"{url} ends the process with 2")
+        launch_refused(refused, url)
         refused.__exit__()
 
 
@@ -230,6 +235,25 @@ def server_stands_still(plant):
     expect(plant.database.ask(f"SELECT attempt FROM bahnwerk.jobs WHERE id = '{id}'") == "1", "in its first attempt")
 
 
+def serves_without_rights(plant):
+    """Who may not change the schema serves what `bahnwerk migrate` has made."""
+    database = plant.database
+    database.ask("CREATE DATABASE apart", "postgres")
+    database.ask("CREATE ROLE server LOGIN", "postgres")
+    url, own = (database.url.replace("/bahnwerk?", "/apart?").replace("postgres@", user) for user in ("server@", "postgres@"))
+    service = Service(plant.binary, "--workers", "1", url=url)
+    try:
+        launch_refused(service, "it does not start without a schema")
+        for _ in range(2):
+            expect(os.spawnv(os.P_WAIT, plant.binary, [plant.binary, "migrate", "--store", own]) == 0, "the schema is made, and made again")
+        database.ask("GRANT USAGE ON SCHEMA bahnwerk TO server; GRANT SELECT, INSERT, UPDATE, DELETE ON ALL TABLES IN SCHEMA bahnwerk TO server", "apart")
+        service.start()
+        expect(service.wait(service.post(DOCUMENTS[0]))["state"] == "succeeded", "a job")
+        expect(service.stop() == 0, "an orderly end")
+    finally:
+        service.__exit__()
+
+
 def standby(plant):
     """A process on a standby serves what has ended, and everything after the promotion."""
     id = list(plant.posted.values())[0]
@@ -257,7 +281,7 @@ def main():
     with Database() as database:
         plant = Plant(sys.argv[1], database)
         try:
-            for fault in (begins_without_its_server, refusals, shows_what_others_do, kills, server_restarts, server_stands_still, paused_worker, standby):
+            for fault in (begins_without_its_server, refusals, shows_what_others_do, kills, server_restarts, server_stands_still, paused_worker, serves_without_rights, standby):
                 say(fault.__name__.replace("_", " "))
                 fault(plant)
                 plant.ready()

@@ -4,8 +4,10 @@
 #include <string>
 #include <thread>
 
+#include "server/store/postgres/commands.hpp"
 #include "server/store/postgres/connection.hpp"
 #include "server/store/postgres/locks.hpp"
+#include "server/store/postgres/partitions.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -73,4 +75,14 @@ void migrate(PostgresConnection& connection) {
   }
 }
 
+namespace postgres {
+
+int bring_up_to_date(const std::string& url) {
+  PostgresConnection connection(url);
+  migrate(connection);
+  keep_partitions(connection);
+  return postgres_version(connection);
+}
+
+}  // namespace postgres
 }  // namespace bahnwerk::server
