@@ -27,6 +27,9 @@ constexpr unsigned health_threads = 2;
 
 constexpr unsigned callback_threads = 8;  ///< deliveries at a time; one suffices where no host may be called
 
+/// How often changes of other processes are asked for, beside their signals and without these.
+constexpr std::chrono::milliseconds poll_beside_signals{1'000}, poll_alone{250};
+
 /// Time after which a silent worker of a shared store loses its jobs to others.
 constexpr std::chrono::milliseconds worker_lease{30'000};
 
@@ -48,13 +51,13 @@ Limits affordable(Limits limits) {
 Engine real_engine() { return {api::parse_job, api::plan_job, api::check_job, api::preview_job}; }
 
 Service::Service(const ServiceOptions& options, Engine engine, const TimeSource& time)
-    : options_(options), time_(time), notifier_(time) {
+    : options_(options), time_(time), notifier_(time), live_(!names_postgres(options.store)) {
   // The address first: whoever cannot have it must not leave a new database behind. Nobody is answered before start().
   const auto offload = [this](std::function<void()> work) { scans_->post(std::move(work)); };
-  const Handler handler =
-      compose({request_id(), access_log(options.logged_requests), audit(), count(metrics_), cors(hosts_),
-               pack_answers(offload), prefixed(), problem_pages(), guard(), same_site(hosts_)},
-              [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
+  const Handler handler = compose(
+      {request_id(), access_log(options.logged_requests), audit(), count(metrics_), cors(hosts_), pack_answers(offload),
+       prefixed(), tell_store_state([this] { return store_->state(); }), problem_pages(), guard(), same_site(hosts_)},
+      [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
   const unsigned workers = options.role == Role::api ? 0 : options.workers;
   check_origins(options.cors_origins);
   const CallbackHosts callback_hosts(options.callback_hosts);
@@ -70,20 +73,13 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                              "process (use --role all)");
   std::vector<api::MachineFile> machines = offered_machines(options.machines);
   listener_->open(options.listen, options.tls, options.socket_mode);
-  if (!options.insecure_listen && listener_->reachable() && list_keys(options.store).empty())
-    throw std::runtime_error(
-        listener_->address() +
-        " is reached from other machines, and there is no key: whoever reaches it could post, read and delete jobs. "
-        "Make "
-        "one (bahnwerk key add NAME --scope submit,read --store " +
-        without_secrets(options.store) +
-        "), listen on 127.0.0.1, or, where something else keeps others out, say so with --insecure-listen "
-        "(BAHNWERK_INSECURE_LISTEN=true)");
+  const bool keys_required = !options.insecure_listen && listener_->reachable();
+  if (keys_required) demand_keys(options);
   hosts_ = allowed_hosts(options.listen, listener_->address(), options.allowed_hosts);
   hosts_.origins = options.cors_origins;
   store_ = open_store(
       options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); },
-      options.store_reserve, options.retention);
+      options.store_reserve, options.retention, options.shared_store);
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   scans_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   health_ = std::make_unique<Pool>(health_threads);
@@ -102,6 +98,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   });
   callbacks_ = std::make_unique<Callbacks>(*store_, metrics_, http_sender(callback_hosts),
                                            callback_hosts.empty() ? 1 : callback_threads, time_);
+  running_ = std::make_unique<RunningJobs>(*store_, live_, notifier_, time_);
   follow_changes();
   metrics_.build(options.build.version, options.build.commit);
   places_ = std::make_unique<QueuePlaces>(*store_, time_);
@@ -126,7 +123,8 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
                                                options.event_heartbeat,
                                                workers,
                                                callback_hosts,
-                                               *places_});
+                                               *places_,
+                                               *running_});
   add_health_routes(router_, *context_);
   if (options.role != Role::worker) {
     add_job_routes(router_, *context_);
@@ -139,7 +137,8 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
     add_page_routes(router_, *context_);
     add_asset_routes(router_);
   }
-  keys_ = std::make_unique<KeyRing>(*store_, [this] { notifier_.all_changed(); });
+  keys_ = std::make_unique<KeyRing>(
+      *store_, [this] { notifier_.all_changed(); }, std::chrono::milliseconds(250), keys_required);
   if (options.role != Role::worker) add_login_routes(router_, *keys_);
   gate_ = std::make_unique<KeyGate>(*keys_, *store_, *pool_, login_page);
   router_.guard(*gate_);
@@ -163,12 +162,30 @@ Service::~Service() {
   keys_.reset();
   callbacks_.reset();
   deadlines_.reset();
+  running_.reset();
   store_.reset();
+}
+
+/// Throws where others could reach the service without a key. A store that is away is asked for keys later.
+void Service::demand_keys(const ServiceOptions& options) const {
+  try {
+    if (!list_keys(options.store).empty()) return;
+  } catch (const StoreAway&) {
+    return;
+  }
+  throw std::runtime_error(
+      listener_->address() +
+      " is reached from other machines, and there is no key: whoever reaches it could post, read and delete jobs. Make "
+      "one (bahnwerk key add NAME --scope submit,read --store " +
+      without_secrets(options.store) +
+      "), listen on 127.0.0.1, or, where something else keeps others out, say so with --insecure-listen "
+      "(BAHNWERK_INSECURE_LISTEN=true)");
 }
 
 void Service::follow_changes() {
   ChangeFeed::Hooks hooks;
   hooks.changed = [this](const std::vector<Changed>& changes) {
+    running_->changed();
     std::size_t queued = 0, ended = 0;
     for (const Changed& change : changes) {
       if (change.cancel_requested) live_.cancel(change.id);
@@ -182,12 +199,15 @@ void Service::follow_changes() {
     if (ended > 0) callbacks_->notify();
   };
   hooks.all = [this] {
+    running_->changed();
     notifier_.all_changed();
+    workers_->look_for_cancels();
     workers_->notify(options_.workers);
     deadlines_->notify();
     callbacks_->notify();
   };
-  feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks));
+  feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks),
+                                       options_.shared_store.signals ? poll_beside_signals : poll_alone);
 }
 
 std::string Service::address() const { return listener_->address(); }
@@ -202,7 +222,9 @@ void Service::reload_certificate() {
 }
 
 void Service::probe(std::function<void()> answered) {
-  listener_->post([this, answered = std::move(answered)]() mutable { pool_->post(std::move(answered)); });
+  listener_->post([this, answered = std::move(answered)]() mutable {
+    store_->shared() ? answered() : pool_->post(std::move(answered));
+  });
 }
 
 bool Service::stop_listening(std::chrono::milliseconds patience) {

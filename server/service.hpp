@@ -18,6 +18,7 @@
 #include "server/keys/key_ring.hpp"
 #include "server/routes/context.hpp"
 #include "server/runtime/build_info.hpp"
+#include "server/store/open.hpp"
 
 namespace bahnwerk::server {
 
@@ -30,7 +31,8 @@ inline std::string_view role_name(Role role) {
 struct ServiceOptions {
   std::string listen = "127.0.0.1:8080";
   std::string store = "sqlite:var/bahnwerk.db";
-  Role role = Role::all;  ///< api: plans nothing; worker: answers /healthz, /readyz and /metrics alone
+  Role role = Role::all;            ///< api: plans nothing; worker: answers /healthz, /readyz and /metrics alone
+  SharedStoreOptions shared_store;  ///< for a store that processes share
   std::size_t store_reserve = std::size_t{8} << 20;  ///< bytes of disk set aside, so that a full disk can be emptied
   Retention retention;                               ///< how long ended jobs are kept
   std::size_t max_memory = 0;                        ///< bytes of the whole process, set when it starts; 0: no limit
@@ -79,7 +81,7 @@ class Service {
   void reload_certificate();    ///< reads the TLS files again, for new connections; logs what is wrong with them
   std::vector<Router::Entry> routes() const { return router_.entries(); }
   /// Calls `answered` after a socket thread and then a thread that reads the store have run it. If threads of either
-  /// type are stuck, it is never called.
+  /// type are stuck, it is never called. Threads that read a shared store may wait for its server: they are left out.
   void probe(std::function<void()> answered);
   /// Ends orderly: new jobs are refused, running ones may finish within the drain timeout and return to the queue
   /// otherwise, requests in flight are answered within that time, too, and the store is checkpointed. It takes at most
@@ -90,6 +92,7 @@ class Service {
 
  private:
   void follow_changes();
+  void demand_keys(const ServiceOptions& options) const;
   bool stop_listening(std::chrono::milliseconds patience);
   ServiceOptions options_;
   std::atomic<bool> draining_{false};
@@ -109,6 +112,7 @@ class Service {
   std::unique_ptr<ChangeFeed> feed_;
   std::unique_ptr<KeyRing> keys_;
   std::unique_ptr<QueuePlaces> places_;
+  std::unique_ptr<RunningJobs> running_;
   std::unique_ptr<Context> context_;
 };
 

@@ -8,6 +8,7 @@
 #include "server/http/http_client.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/sha256.hpp"
+#include "server/store/failure.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -66,6 +67,8 @@ bool Callbacks::may_begin(const Receiver& receiver) const {
 /// Begins what is due; returns how long to sleep if not notified. The end of a delivery notifies.
 std::chrono::milliseconds Callbacks::look() {
   try {
+    // What could not be recorded would be delivered again and again.
+    if (store_.state() == StoreState::read_only) return retry_store;
     const std::int64_t now = time_.now_ms();
     std::chrono::milliseconds next = longest_sleep;
     std::set<std::string> names;
@@ -82,7 +85,7 @@ std::chrono::milliseconds Callbacks::look() {
                   [&](const auto& each) { return each.second.jobs.empty() && !names.contains(each.first); });
     return next;
   } catch (const std::exception& error) {
-    log::error("callbacks_failed", {{"detail", error.what()}});
+    log_failure("callbacks_failed", error);
     return retry_store;
   }
 }
@@ -173,7 +176,7 @@ void Callbacks::record(const CallbackAttempt& attempt) {
     try {
       return store_.called_back(attempt);
     } catch (const std::exception& error) {
-      log::error("callback_not_recorded", {{"job", attempt.id}, {"detail", error.what()}});
+      log_failure("callback_not_recorded", error, {{"job", attempt.id}});
     }
     std::unique_lock lock(mutex_);
     const auto until = time_.now() + retry_store;

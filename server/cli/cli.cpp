@@ -18,6 +18,7 @@
 #include "server/cli/typed_options.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
+#include "server/store/store_url.hpp"
 
 namespace bahnwerk::server::cli {
 namespace {
@@ -46,7 +47,7 @@ std::string unknown_variable(const CLI::App& serve) {
   return "";
 }
 
-void add_serve(CLI::App& app, ServiceOptions& options, std::string& level) {
+void add_serve(CLI::App& app, ServiceOptions& options, std::string& level, std::string& password_file) {
   const auto env = [](CLI::Option* option) { option->envname(variable_of(*option)); };
   env(app.add_option("--listen", options.listen,
                      "address to serve on; port 0 picks a free one; unix:PATH is a Unix socket")
@@ -89,6 +90,19 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& level) {
           ->type_name("HOST"));
   env(app.add_option("--store", options.store, "where jobs live: sqlite:PATH, or postgresql://USER@HOST/DATABASE")
           ->type_name("URL"));
+  env(app.add_option("--store-password-file", password_file,
+                     "a file whose first line is the password for the PostgreSQL server, to keep it out of the URL")
+          ->type_name("FILE"));
+  env(app.add_option("--store-connections", options.shared_store.connections,
+                     "most connections to the PostgreSQL server; by default 8, and 4 with --role worker")
+          ->check(CLI::Range(4, 1'000))
+          ->default_str(""));
+  env(app.add_option_function<std::string>(
+             "--store-notify", [&options](const std::string& text) { options.shared_store.signals = text == "on"; },
+             "on = processes that share a PostgreSQL store tell each other of changes at once; off = they ask for them "
+             "four times a second")
+          ->check(CLI::IsMember({"on", "off"}))
+          ->default_str("on"));
   env(add_bytes(app, "--store-reserve", options.store_reserve,
                 "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "
                 "with a suffix: 8MiB",
@@ -168,7 +182,7 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& level) {
           ->default_str("all"));
 }
 
-int run_serve(const CLI::App& app, const ServiceOptions& options, const std::string& level) {
+int run_serve(const CLI::App& app, ServiceOptions options, const std::string& level, const std::string& password_file) {
   if (const std::string name = unknown_variable(app); !name.empty()) {
     std::cerr << "bahnwerk: " << name << " is no setting; `bahnwerk serve --help` lists them\n";
     return exit_usage;
@@ -183,7 +197,9 @@ int run_serve(const CLI::App& app, const ServiceOptions& options, const std::str
               << (min_memory >> 20) << "MiB are needed\n";
     return exit_usage;
   }
-  return serve(options);
+  if (!password_file.empty()) options.store = with_password(options.store, password_file);
+  if (options.role == Role::worker && app.count("--store-connections") == 0) options.shared_store.connections = 4;
+  return serve(std::move(options));
 }
 
 }  // namespace
@@ -199,7 +215,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
   options.max_memory = default_memory_limit(memory_of_host());
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
   std::string level = "info", job, contour, out, id, format = "csv", layout, frame, key;
-  std::string store = options.store, file;
+  std::string store = options.store, password_file, file;
   Remote remote;
   std::string name, scope = "submit,read";
   std::optional<std::int64_t> max_queued;
@@ -208,7 +224,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
 
   CLI::App* serve_command =
       app.add_subcommand("serve", "runs the service; every flag also as environment variable BAHNWERK_...");
-  add_serve(*serve_command, options, level);
+  add_serve(*serve_command, options, level, password_file);
   const auto add_contour = [&](CLI::App* command) {
     command
         ->add_option("--contour", contour, "part program or drawing (.dxf) to take instead of the document's contour")
@@ -301,6 +317,11 @@ int run(int argc, char** argv, const BuildInfo& build) {
     command->add_option("--store", store, "where jobs live: sqlite:PATH, or postgresql://USER@HOST/DATABASE")
         ->envname("BAHNWERK_STORE")
         ->type_name("URL");
+    command
+        ->add_option("--store-password-file", password_file,
+                     "a file whose first line is the password for the PostgreSQL server, to keep it out of the URL")
+        ->envname("BAHNWERK_STORE_PASSWORD_FILE")
+        ->type_name("FILE");
   };
   CLI::App* backup_command = app.add_subcommand("backup", "copies the store into a file, also while the service runs");
   backup_command->add_option("file", file, "where the copy goes; it is replaced as a whole")->required();
@@ -308,6 +329,9 @@ int run(int argc, char** argv, const BuildInfo& build) {
   CLI::App* check_command =
       app.add_subcommand("check", "checks whether a store is whole, also while the service runs, or a backup of it");
   add_store(check_command);
+  CLI::App* migrate_command = app.add_subcommand(
+      "migrate", "brings the schema of a PostgreSQL store up to date, for those who serve as a user who may not");
+  add_store(migrate_command);
   CLI::App* key_command = app.add_subcommand("key", "adds, lists and removes keys, also while the service runs");
   key_command->require_subcommand(1);
   CLI::App* add_command = key_command->add_subcommand("add", "makes a key and prints it, once");
@@ -347,6 +371,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
       {add_command, "0 added, 2 not: bad usage, or the store cannot be changed"},
       {list_command, "0 listed, 2 no such store, bad usage"},
       {remove_command, "0 removed, 2 there is no such key, or bad usage"},
+      {migrate_command, "0 up to date, 2 not: no such server, no permission, bad usage"},
       {check_command, "0 whole, 1 damaged, 2 no such store, bad usage"}};
   for (const auto& [command, codes] : exit_codes) {
     command->footer("Exit codes: " + std::string(codes) + ".");
@@ -364,7 +389,8 @@ int run(int argc, char** argv, const BuildInfo& build) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }
   try {
-    if (*serve_command) return run_serve(*serve_command, options, level);
+    if (!*serve_command && !password_file.empty()) store = with_password(store, password_file);
+    if (*serve_command) return run_serve(*serve_command, options, level, password_file);
     if (*plan_command) return plan(read_job(job, contour), out, layout, frame, drives);
     if (*submit_command) return submit(remote, read_job(job, contour), key, wait, patience);
     if (*watch_command) return watch(remote, id, patience);
@@ -375,6 +401,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
     if (*list_command) return list_keys(store);
     if (*remove_command) return remove_keys(store, name);
     if (*check_command) return check(store);
+    if (*migrate_command) return migrate(store);
     if (*health_command) return health(remote, ready);
     return fetch(remote, id, format, layout, frame);
   } catch (const std::exception& error) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The command line: `bahnwerk serve | plan | submit | watch | fetch | health | backup | check`.
+/// The command line: `bahnwerk serve | plan | submit | watch | fetch | health | backup | check | migrate`.
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -18,7 +18,7 @@ inline constexpr int exit_unreachable = 3;  ///< no server answered, or it canno
 /// Runs the program and returns its exit code.
 int run(int argc, char** argv, const BuildInfo& build);
 
-int serve(const ServiceOptions& options);
+int serve(ServiceOptions options);
 /// Plans the document `job` in this process. With `out`, writes result.json and drawings there, and setpoints.csv in a
 /// layout of api::csv_layouts (empty: plain), in a frame of api::setpoint_frames (empty: that of the layout); for a
 /// layout of api::result_layouts() also the kind's file in that layout. A plan that is not verified has no setpoints,
@@ -40,6 +40,8 @@ int fetch(const Remote& server, const std::string& id, const std::string& format
 int backup(const std::string& store, const std::string& file);
 /// Checks whether the store named by a URL is whole, and prints what is not.
 int check(const std::string& store);
+/// Brings the schema of a PostgreSQL store up to date, and prints its version.
+int migrate(const std::string& store);
 /// Adds a key for `name` to the store and prints its text, which nobody can learn again.
 int add_key(const std::string& store, const std::string& name, const std::string& scopes,
             std::optional<std::int64_t> max_queued, std::optional<std::chrono::milliseconds> max_planning);

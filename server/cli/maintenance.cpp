@@ -1,4 +1,4 @@
-/// The commands backup and check: what an operator does with a store.
+/// The commands backup, check and migrate: what an operator does with a store.
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +17,11 @@ int check(const std::string& store) {
   const std::vector<std::string> faults = inspect(store);
   std::cout << nlohmann::ordered_json{{"whole", faults.empty()}, {"faults", faults}}.dump(2) << std::endl;
   return faults.empty() ? exit_ok : exit_failed;
+}
+
+int migrate(const std::string& store) {
+  std::cout << nlohmann::ordered_json{{"version", migrate_store(store)}}.dump(2) << std::endl;
+  return exit_ok;
 }
 
 }  // namespace bahnwerk::server::cli

@@ -2,6 +2,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
@@ -45,7 +46,7 @@ int wait_for_signal(const sigset_t& ends, const Supervisor& supervisor, Service&
 
 }  // namespace
 
-int serve(const ServiceOptions& options) {
+int serve(ServiceOptions options) {
   log::info("starting", {{"version", options.build.version},
                          {"commit", options.build.commit},
                          {"build", options.build.build},
@@ -64,6 +65,12 @@ int serve(const ServiceOptions& options) {
 
   const Supervisor supervisor(or_empty(std::getenv("NOTIFY_SOCKET")),
                               watchdog_interval(std::getenv("WATCHDOG_USEC"), std::getenv("WATCHDOG_PID"), ::getpid()));
+  std::atomic<bool> refused{false};
+  options.shared_store.refused = [&refused](const std::string& why) {
+    if (refused.exchange(true)) return;
+    std::cerr << "bahnwerk: " << why << '\n';
+    ::kill(::getpid(), SIGTERM);
+  };
   std::unique_ptr<Service> service;
   try {
     service = std::make_unique<Service>(options, real_engine());
@@ -87,6 +94,7 @@ int serve(const ServiceOptions& options) {
   // A second signal takes its default course: the process ends at once.
   pthread_sigmask(SIG_UNBLOCK, &ends, nullptr);
   const auto drained = service->drain();
+  if (refused) ::_exit(exit_usage);
   if (drained != Service::Drained::clean) ::_exit(drained == Service::Drained::stuck ? exit_failed : exit_ok);
   service.reset();
   return exit_ok;

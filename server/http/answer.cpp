@@ -7,6 +7,7 @@
 #include "api/text/pointer.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
+#include "server/store/failure.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
@@ -97,8 +98,12 @@ Response answer_from_current_exception(const Request& request) {
     throw;
   } catch (const api::Problem& problem) {
     return problem_answer(problem, request.target);
+  } catch (const StoreReadOnly&) {
+    return problem_answer(
+        api::Problem("store-unavailable", "The store can only be read now: its server is a standby. Try again."),
+        request.target);
   } catch (const StoreError& error) {
-    log::error("store_failed", {{"request", request.id}, {"path", request.path}, {"detail", error.what()}});
+    log_failure("store_failed", error, {{"request", request.id}, {"path", request.path}});
     if (error.full)
       return problem_answer(
           api::Problem("storage-full", "The store has no space left; nothing of this request was kept."),

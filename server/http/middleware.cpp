@@ -95,6 +95,18 @@ Middleware audit() {
   };
 }
 
+Middleware tell_store_state(std::function<StoreState()> state) {
+  return [state = std::move(state)](Handler next) -> Handler {
+    return [next = std::move(next), state](RequestPtr request, Reply reply) {
+      if (state() != StoreState::read_only) return next(std::move(request), std::move(reply));
+      next(request, [reply = std::move(reply)](Response response) {
+        response.set("Bahnwerk-Store", "read-only");
+        reply(std::move(response));
+      });
+    };
+  };
+}
+
 Middleware prefixed() {
   return [](Handler next) -> Handler {
     return [next = std::move(next)](RequestPtr request, Reply reply) {

@@ -3,6 +3,7 @@
 #include "server/http/message.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/runtime/pool.hpp"
+#include "server/store/values.hpp"
 
 namespace bahnwerk::server {
 
@@ -18,6 +19,8 @@ Middleware access_log(LoggedRequests logged);
 Middleware audit();
 /// Puts the prefix of the request's proxy before the addresses in Location and in pages.
 Middleware prefixed();
+/// Says in answers that the store is a standby, which may be behind: `Bahnwerk-Store: read-only`.
+Middleware tell_store_state(std::function<StoreState()> state);
 /// Counts requests by route, method and status, their latency, apart from it that of requests that were told to wait,
 /// and problems by their slug.
 Middleware count(Metrics& metrics);

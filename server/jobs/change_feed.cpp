@@ -1,6 +1,8 @@
 #include "server/jobs/change_feed.hpp"
 
-#include "server/runtime/log.hpp"
+#include <random>
+
+#include "server/store/failure.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -13,29 +15,45 @@ ChangeFeed::ChangeFeed(ChangeSource& source, Hooks hooks, std::chrono::milliseco
     : source_(source), hooks_(std::move(hooks)), interval_(interval) {
   source_.listen(hooks_.changed);
   if (!source_.shared()) return;
-  seen_ = source_.last_change();
+  begin();
   thread_.emplace([this] {
     ask();
-    return interval_;
+    thread_local std::minstd_rand random{std::random_device{}()};
+    return interval_ / 2 + std::chrono::milliseconds(std::uniform_int_distribution<std::chrono::milliseconds::rep>(
+                               0, interval_.count())(random));
   });
+  source_.listen_to_others([this] { thread_->notify(); });
 }
 
 ChangeFeed::~ChangeFeed() {
+  source_.listen_to_others(nullptr);
   source_.listen(nullptr);
   thread_.reset();
 }
 
+void ChangeFeed::begin() {
+  try {
+    seen_ = source_.last_change();
+  } catch (const std::exception& error) {
+    away_ = true;
+    log_failure("changes_failed", error);
+  }
+}
+
 void ChangeFeed::ask() {
   try {
+    if (!seen_) seen_ = source_.last_change();
     ask_all();
+    if (std::exchange(away_, false)) hooks_.all();
   } catch (const std::exception& error) {  // the store may be back the next time; nothing is missed
-    log::error("changes_failed", {{"detail", error.what()}});
+    away_ = true;
+    log_failure("changes_failed", error);
   }
 }
 
 void ChangeFeed::ask_all() {
   for (;;) {
-    const Changes changes = source_.changes_since(seen_, at_once);
+    const Changes changes = source_.changes_since(*seen_, at_once);
     if (changes.gap) {
       if (changes.list.empty()) seen_ = source_.last_change();  // before the look: what comes during it is asked for
       hooks_.all();

@@ -18,21 +18,25 @@ class ChangeFeed {
     std::function<void(const std::vector<Changed>&)> changed;
     std::function<void()> all;  ///< changes may have been missed: every job has to be checked
   };
-  /// Reports every change from now on. Polls the source every `interval`, on its own thread, if it is shared.
+  /// Reports every change from now on. If the source is shared, asks it on a thread of its own: when others signal a
+  /// change, and else about every `interval`, half as long at least and half as long again at most. Where the source
+  /// was away, every job has to be checked afterwards.
   ChangeFeed(ChangeSource& source, Hooks hooks, std::chrono::milliseconds interval = std::chrono::milliseconds(250));
   ~ChangeFeed();  ///< ends the reports: no hook is called afterwards
   ChangeFeed(const ChangeFeed&) = delete;
   ChangeFeed& operator=(const ChangeFeed&) = delete;
 
  private:
+  void begin();
   void ask();
   void ask_all();
 
   ChangeSource& source_;
   const Hooks hooks_;
   const std::chrono::milliseconds interval_;
-  std::uint64_t seen_ = 0;            ///< number of the last change seen; the polling thread alone uses it
-  std::optional<LookThread> thread_;  ///< none if the source is not shared
+  std::optional<std::uint64_t> seen_;  ///< number of the last change seen; the polling thread alone uses it
+  bool away_ = false;                  ///< whether the source failed the last time
+  std::optional<LookThread> thread_;   ///< none if the source is not shared
 };
 
 }  // namespace bahnwerk::server

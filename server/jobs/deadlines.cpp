@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "server/runtime/log.hpp"
+#include "server/store/failure.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -31,7 +31,7 @@ std::chrono::milliseconds Deadlines::look() {
     return std::clamp(std::chrono::milliseconds(*expired.next - time_.now_ms()), std::chrono::milliseconds(0),
                       longest_sleep);
   } catch (const StoreError& error) {
-    log::error("expire_failed", {{"detail", error.what()}});
+    log_failure("expire_failed", error);
     return retry;
   }
 }

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 
-#include "server/runtime/log.hpp"
+#include "server/store/failure.hpp"
 
 namespace bahnwerk::server {
+namespace {
+
+constexpr std::chrono::milliseconds retry{1'000};  ///< after the store failed: whoever lives renews before others look
+
+}  // namespace
 
 Heartbeat::Heartbeat(Store& store, LiveJobs& live, std::string worker, std::chrono::milliseconds lease,
                      const TimeSource& time)
@@ -32,12 +37,13 @@ void Heartbeat::loop() {
     if (stop_) return;
     next_ = time_.now() + lease_ / 3;
     lock.unlock();
-    beat();
+    const bool stored = beat();
     lock.lock();
+    if (!stored) next_ = time_.now() + std::min(lease_ / 3, retry);
   }
 }
 
-void Heartbeat::beat() {
+bool Heartbeat::beat() {
   const auto running = live_.all();
   std::vector<Attempt> attempts;
   for (const auto& live : running) attempts.push_back(live->attempt());
@@ -47,8 +53,10 @@ void Heartbeat::beat() {
     for (const auto& live : running)
       if (std::find(over.begin(), over.end(), live->attempt()) != over.end()) live->lost = true;
   } catch (const StoreError& error) {  // the next one may be in time
-    log::error("heartbeat_failed", {{"detail", error.what()}});
+    log_failure("heartbeat_failed", error);
+    return false;
   }
+  return true;
 }
 
 }  // namespace bahnwerk::server

@@ -23,7 +23,7 @@ class Heartbeat {
 
  private:
   void loop();
-  void beat();
+  bool beat();  ///< returns whether the store was reached
 
   Store& store_;
   LiveJobs& live_;

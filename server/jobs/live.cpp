@@ -51,6 +51,7 @@ void LiveJobs::interrupt_all() {
 }
 
 void LiveJobs::overlay(api::Job& job) const {
+  if (!shown_) return;
   std::shared_ptr<LiveJob> live;
   {
     const std::lock_guard lock(mutex_);

@@ -39,6 +39,9 @@ class LiveJob {
 
 class LiveJobs {
  public:
+  /// `shown` false: overlay() does nothing, so that clients see of every job, whichever process plans it, what is
+  /// stored.
+  explicit LiveJobs(bool shown = true) : shown_(shown) {}
   std::shared_ptr<LiveJob> add(const api::Job& job);
   void remove(const LiveJob& live);  ///< removes the job, unless a later attempt has taken its place
   void cancel(const std::string& id);
@@ -48,6 +51,7 @@ class LiveJobs {
   std::size_t size() const;
 
  private:
+  const bool shown_;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<LiveJob>> jobs_;
 };

@@ -60,6 +60,11 @@ void Notifier::advance(Waiters::iterator waiter, Clock::time_point until) {
   by_time_.emplace(until, waiter->first);
 }
 
+bool Notifier::watched() const {
+  const std::lock_guard lock(mutex_);
+  return !waiters_.empty();
+}
+
 void Notifier::wake(Token token) {
   std::function<void()> call;
   {

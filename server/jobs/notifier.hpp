@@ -35,6 +35,7 @@ class Notifier {
   /// from any thread and must be quick.
   Token wait(const std::string& job, Clock::time_point until, std::function<void()> wake,
              std::optional<Clock::time_point> progress_from = std::nullopt);
+  bool watched() const;    ///< whether anybody waits
   void wake(Token token);  ///< calls this one now, unless it was called already
   void changed(const std::string& job, Change change = Change::state);
   void all_changed();
@@ -51,7 +52,7 @@ class Notifier {
   void loop();
 
   const TimeSource& time_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable tick_;
   Token next_ = 1;
   Waiters waiters_;

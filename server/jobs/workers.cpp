@@ -1,6 +1,7 @@
 #include "server/jobs/workers.hpp"
 
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
@@ -11,6 +12,7 @@
 #include "server/runtime/memory.hpp"
 #include "server/runtime/priority.hpp"
 #include "server/runtime/uuid7.hpp"
+#include "server/store/failure.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -104,8 +106,10 @@ void Workers::loop() {
     try {
       job = store_.claim(lease());
     } catch (const std::exception& error) {
-      log::error("claim_failed", {{"detail", error.what()}});
-      sleep(std::chrono::seconds(1));
+      log_failure("claim_failed", error);
+      // Workers of many processes must not come back together.
+      thread_local std::minstd_rand random{std::random_device{}()};
+      sleep(std::chrono::milliseconds(std::uniform_int_distribution<int>(500, 1500)(random)));
       continue;
     }
     if (job) {
@@ -171,7 +175,7 @@ Workers::Persisted Workers::persist(const std::string& id, const std::function<b
       if (!write()) log::warn("job_ending_ignored", {{"job", id}, {"detail", "the attempt was over already"}});
       return Persisted::yes;
     } catch (const StoreError& error) {
-      log::error("store_failed", {{"job", id}, {"detail", error.what()}});
+      log_failure("store_failed", error, {{"job", id}});
     } catch (const std::bad_alloc&) {  // other jobs may have all of it for the moment
       if (--tries_without_memory == 0) throw;
       log::error("store_failed", {{"job", id}, {"detail", "no memory"}});
@@ -187,6 +191,18 @@ Workers::Persisted Workers::persist(const std::string& id, const std::function<b
   }
 }
 
+void Workers::ask_for_cancel(LiveJob& live) {
+  try {
+    if (store_.cancel_requested(live.id())) live.cancel = true;
+  } catch (const StoreError& error) {  // a store that comes back has it looked for again
+    log_failure("cancel_not_read", error, {{"job", live.id()}});
+  }
+}
+
+void Workers::look_for_cancels() {
+  for (const auto& live : live_.all()) ask_for_cancel(*live);
+}
+
 void Workers::run(const api::Job& job) {
   const auto start = std::chrono::steady_clock::now();
   const std::string& id = job.id;
@@ -196,19 +212,29 @@ void Workers::run(const api::Job& job) {
     if (interrupted_) live->interrupt = true;
   }
   log::info("job_started", {{"job", id}, {"kind", job.request.kind}, {"attempt", job.attempt}});
-  JobProgress progress(
-      job, live, most_planning_,
-      {.publish = [&] { notifier_.changed(id, Change::progress); },
-       .keep = [&](Progressed p, std::function<void()> done) { store_.progress(std::move(p), std::move(done)); },
-       .now_ms = [&] { return time_.now_ms(); },
-       .now = [&] { return time_.now(); }});
+  JobProgress progress(job, live, most_planning_,
+                       {.publish =
+                            [&] {
+                              if (!store_.shared()) notifier_.changed(id, Change::progress);
+                            },
+                        .keep =
+                            [&](Progressed p, std::function<void()> done) {
+                              if (!store_.shared()) return store_.progress(std::move(p), std::move(done));
+                              // Clients see what is stored.
+                              store_.progress(std::move(p), [&notifier = notifier_, id, done = std::move(done)] {
+                                done();
+                                notifier.changed(id, Change::progress);
+                              });
+                            },
+                        .now_ms = [&] { return time_.now_ms(); },
+                        .now = [&] { return time_.now(); }});
   const auto never = [] { return false; };
   std::string outcome;
   std::optional<api::PlannedJob> planned;
   std::optional<api::Problem> problem;
   std::string unverified;  // result of a plan that failed its verification
   try {
-    if (store_.cancel_requested(id)) live->cancel = true;  // the cancel was requested between the claim and now
+    ask_for_cancel(*live);  // one was requested between the claim and now
     progress.report("planning", 0);
     planned = plan(job.request, progress);
     if (!planned->verified) {

@@ -44,6 +44,7 @@ class Workers {
   /// `nice` is the difference of their priority to that of the answering threads (Linux).
   void start(unsigned threads, int nice = 0);
   void notify(std::size_t jobs = 1);  ///< has to be called when `jobs` jobs were queued or have ended
+  void look_for_cancels();            ///< has to be called when changes may have been missed
   void stop_claiming();               ///< running jobs continue, no new ones begin
   bool wait_idle(std::chrono::milliseconds
                      patience);  ///< waits until all threads have ended, after stop_claiming; false if they have not
@@ -52,6 +53,7 @@ class Workers {
  private:
   Lease lease() const;
   void loop();
+  void ask_for_cancel(LiveJob& live);
   void run(const api::Job& job);
   api::PlannedJob plan(const api::JobRequest& request, JobProgress& progress);
   void rest(std::unique_lock<std::mutex>& lock, const std::function<bool()>& due);

@@ -2,12 +2,17 @@
 
 #include "server/keys/key_text.hpp"
 #include "server/runtime/log.hpp"
+#include "server/store/failure.hpp"
 
 namespace bahnwerk::server {
 
-KeyRing::KeyRing(Store& store, std::function<void()> removed, std::chrono::milliseconds interval)
-    : store_(store), removed_(std::move(removed)), interval_(interval) {
-  look();
+KeyRing::KeyRing(Store& store, std::function<void()> removed, std::chrono::milliseconds interval, bool required)
+    : store_(store), removed_(std::move(removed)), interval_(interval), required_(required), demanded_(required) {
+  try {
+    look();
+  } catch (const StoreError& error) {  // they are read when it is back
+    if (!error.busy || !store_.shared()) throw;
+  }
   thread_.emplace([this] {
     look_again();
     return interval_;
@@ -32,7 +37,10 @@ std::shared_ptr<const HeldKey> KeyRing::find(std::string_view text) const {
 
 void KeyRing::look() {
   const auto changed = store_.keys(version_);
-  if (!changed) return;
+  if (!changed) {
+    known_ = true;
+    return;
+  }
   std::map<std::string, std::shared_ptr<HeldKey>, std::less<>> valid;
   bool any_removed = false;
   {
@@ -48,7 +56,8 @@ void KeyRing::look() {
     keys_.swap(valid);
   }
   version_ = changed->version;
-  demanded_ = !changed->list.empty();
+  demanded_ = required_ || !changed->list.empty();
+  known_ = true;
   log::info("keys", {{"valid", keys_.size()}, {"known", changed->list.size()}});
   if (any_removed && removed_) removed_();
 }
@@ -57,7 +66,7 @@ void KeyRing::look_again() {
   try {
     look();
   } catch (const std::exception& error) {  // those known stay valid
-    log::warn("keys_not_read", {{"detail", error.what()}});
+    log_failure("keys_not_read", error);
   }
 }
 

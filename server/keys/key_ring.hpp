@@ -25,11 +25,13 @@ struct HeldKey {
 class KeyRing {
  public:
   /// Reads the keys, then looks every `interval` for changes, which other processes make; `removed` is called from its
-  /// thread after a key was removed.
+  /// thread after a key was removed. `required`: everyone needs a key, also where there never was one.
   explicit KeyRing(Store& store, std::function<void()> removed = {},
-                   std::chrono::milliseconds interval = std::chrono::milliseconds(250));
+                   std::chrono::milliseconds interval = std::chrono::milliseconds(250), bool required = false);
 
-  bool demanded() const { return demanded_; }  ///< whether there are or have been keys: then everyone needs one
+  bool known() const { return known_; }  ///< whether the keys were read; until then the store is away
+  /// Returns whether there are or have been keys, or they are required: then everyone needs one.
+  bool demanded() const { return demanded_; }
   std::shared_ptr<const HeldKey> find(std::string_view text) const;  ///< nullptr: it is no valid key
 
  private:
@@ -39,7 +41,8 @@ class KeyRing {
   Store& store_;
   const std::function<void()> removed_;
   const std::chrono::milliseconds interval_;
-  std::atomic<bool> demanded_{false};
+  const bool required_;
+  std::atomic<bool> known_{false}, demanded_{false};
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<HeldKey>, std::less<>> keys_;  ///< valid ones by id
   std::uint64_t version_ = 0;  ///< version of the keys read last; used by the thread alone

@@ -25,7 +25,7 @@ class AllJobsFeed final : public NewsFeed {
 
  private:
   Clock::time_point look_for_more() const override {
-    return context_.live.size() > 0 ? context_.time.now() + progress_interval : Clock::time_point::max();
+    return progress_due_ ? context_.time.now() + progress_interval : Clock::time_point::max();
   }
 
   std::string event_of(const Changed& changed) override {
@@ -36,16 +36,17 @@ class AllJobsFeed final : public NewsFeed {
 
   /// Returns the progress of running jobs since the last time, at most once a second.
   std::string more() override {
-    if (filter_.state && *filter_.state != api::JobState::running) return "";
-    if (context_.time.now() < last_progress_ + progress_interval) return "";
+    progress_due_ = !filter_.state || *filter_.state == api::JobState::running;
+    if (!progress_due_ || context_.time.now() < last_progress_ + progress_interval) return "";
     std::string text;
     std::map<std::string, std::uint64_t> sent;
-    for (const auto& live : context_.live.all()) {
-      const std::uint64_t revision = live->revision();
-      const auto before = sent_.find(live->id());
-      sent.emplace(live->id(), revision);
+    const auto running = context_.running.all();
+    progress_due_ = !running.empty();
+    for (const auto& [id, revision] : running) {
+      const auto before = sent_.find(id);
+      sent.emplace(id, revision);
       if (before != sent_.end() && before->second == revision) continue;
-      const auto job = visible(live->id());
+      const auto job = visible(id);
       if (!job || job->state != api::JobState::running) continue;
       nlohmann::ordered_json data{{"id", job->id}};
       data.update(job_resource(context_, *job, prefix_)["progress"]);
@@ -70,6 +71,7 @@ class AllJobsFeed final : public NewsFeed {
   const JobFilter filter_;
   const std::string prefix_;
   Clock::time_point last_progress_{};
+  bool progress_due_ = true;                   ///< whether progress has to be looked for again
   std::map<std::string, std::uint64_t> sent_;  ///< revisions of running jobs whose progress the client has
 };
 

@@ -11,6 +11,7 @@
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
 #include "server/jobs/queue_places.hpp"
+#include "server/jobs/running_jobs.hpp"
 #include "server/runtime/build_info.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/metrics.hpp"
@@ -47,6 +48,7 @@ struct Context {
   unsigned workers;                           ///< number of planner threads
   const CallbackHosts callback_hosts;         ///< hosts that may be called
   QueuePlaces& places;
+  RunningJobs& running;
 };
 
 void add_job_routes(Router& router,
@@ -59,6 +61,9 @@ void add_scene_routes(Router& router, Context& context);    ///< /v1/jobs/{id}/s
 void add_example_routes(Router& router, Context& context);  ///< check, examples, machines
 void add_health_routes(Router& router, Context& context);   ///< healthz, readyz, metrics
 void add_page_routes(Router& router, Context& context);     ///< the list of jobs and a page per job
+
+/// How soon those who wait while the store is away look again.
+inline constexpr std::chrono::milliseconds store_retry{1'000};
 
 /// Returns the current state of the job, without its document; throws Problem not-found.
 api::Job find_job(Context& context, const std::string& id);

@@ -35,6 +35,12 @@ void EventFeed::wait(std::string_view job, Clock::time_point until, std::optiona
   if (stopped_) look_now();
 }
 
+void EventFeed::wait_for_store() {
+  if (context_.draining) return give(std::nullopt);
+  if (silent_too_long()) return give(std::string(sign_of_life));
+  wait("", context_.time.now() + store_retry);
+}
+
 std::string event_text(std::string_view name, std::uint64_t id, const nlohmann::ordered_json& data) {
   return "id: " + std::to_string(id) + "\nevent: " + std::string(name) +
          "\ndata: " + data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n\n";

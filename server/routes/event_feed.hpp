@@ -21,6 +21,8 @@ class EventFeed : public Feed, public std::enable_shared_from_this<EventFeed> {
   /// Looks again when the job changes, at `until` at the latest; after progress alone not before `progress_from`.
   void wait(std::string_view job, Clock::time_point until,
             std::optional<Clock::time_point> progress_from = std::nullopt);
+  /// Waits a moment while the store is away: the stream stays open.
+  void wait_for_store();
   void look_now() { context_.notifier.wake(token_); }  ///< ends a wait that would miss a change
   bool silent_too_long() const { return context_.time.now() >= last_piece_ + context_.event_heartbeat; }
 

@@ -23,7 +23,10 @@ class JobFeed final : public EventFeed {
     std::optional<api::Job> job;
     try {
       job = find_job(context_, id_);
-    } catch (...) {  // the job was deleted meanwhile, or the store failed: the client's next request gets the answer
+    } catch (const StoreError& error) {
+      if (error.busy) return wait_for_store();
+      return give(std::nullopt);  // the client's next request gets the answer
+    } catch (...) {               // the job was deleted meanwhile
       return give(std::nullopt);
     }
     std::string text(begun_ ? "" : first_piece);

@@ -23,6 +23,8 @@ Response ready(Context& context) {
   } catch (const StoreError& error) {
     throw api::Problem("store-unavailable", std::string("The store cannot be reached: ") + error.what());
   }
+  if (context.store.state() == StoreState::read_only)
+    return uncached(json_answer(200, {{"status", "ready"}, {"store", "read-only"}}));
   return uncached(json_answer(200, {{"status", "ready"}}));
 }
 

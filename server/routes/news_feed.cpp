@@ -29,16 +29,21 @@ void NewsFeed::look() {
   std::string text(begun_ ? "" : first_piece);
   if (begun_ && !context_.draining && context_.time.now() < last_piece_ + between_pieces)
     return wait("", last_piece_ + between_pieces);
-  begun_ = true;
+  const std::uint64_t before = since_;
   try {
     const News found = news(context_.store, since_, limit_, owner_);
     since_ = found.next;
     if (found.changes.gap) text += "event: gap\ndata: {}\n\n";
     for (const Changed& changed : found.changes.list) text += event_of(changed);
     text += more();
-  } catch (...) {  // the store failed: the client's next request gets the answer
+  } catch (const StoreError& error) {
+    since_ = before;
+    if (error.busy) return wait_for_store();
+    return give(std::nullopt);  // the client's next request gets the answer
+  } catch (...) {               // the store failed: the client's next request gets the answer
     return give(std::nullopt);
   }
+  begun_ = true;
   if (text.empty() && context_.draining) return give(std::nullopt);
   if (text.empty() && silent_too_long()) text = sign_of_life;
   if (!text.empty()) return give(std::move(text));

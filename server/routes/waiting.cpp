@@ -6,6 +6,14 @@
 
 namespace bahnwerk::server {
 
+bool AnyJobWait::changed(std::uint64_t seen) const {
+  try {
+    return context_.store.last_change() != seen;
+  } catch (...) {
+    return true;
+  }
+}
+
 void AnyJobWait::look() {
   try {
     const std::uint64_t seen = context_.store.last_change();
@@ -25,7 +33,13 @@ void AnyJobWait::look() {
     token_ = context_.notifier.wait(std::string(Notifier::any_job), until,
                                     [self = shared_from_this()] { self->pool_.post([self] { self->look(); }); });
     // A change between the query and the wait would be missed.
-    if (finished_ || context_.store.last_change() != seen) context_.notifier.wake(token_);
+    if (finished_ || changed(seen)) context_.notifier.wake(token_);
+  } catch (const StoreError& error) {
+    if (!error.busy || finished_ || context_.draining || context_.time.now() >= until_)
+      return reply_(answer_from_current_exception(*request_));
+    token_ = context_.notifier.wait("", std::min(until_, context_.time.now() + store_retry),
+                                    [self = shared_from_this()] { self->pool_.post([self] { self->look(); }); });
+    if (finished_) context_.notifier.wake(token_);
   } catch (...) {
     reply_(answer_from_current_exception(*request_));
   }

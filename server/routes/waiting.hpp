@@ -22,6 +22,7 @@ class AnyJobWait : public std::enable_shared_from_this<AnyJobWait> {
   void look();  ///< to be called on the pool
 
  private:
+  bool changed(std::uint64_t seen) const;  ///< tells whether there were changes, or that cannot be read any more
   Context& context_;
   Pool& pool_;
   const RequestPtr request_;

@@ -46,6 +46,16 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
     return progressed ? std::min(until, progress_from) : until;
   }
 
+  /// Tells whether the job has changed since it was read, or cannot be read any more.
+  bool missed(const api::Job& job) const {
+    try {
+      const api::Job now = find_job(context, id);
+      return now.revision != job.revision && (due(now) || next_look(now) != next_look(job));
+    } catch (...) {
+      return true;
+    }
+  }
+
   void look() {
     try {
       const api::Job job = find_job(context, id);
@@ -64,9 +74,12 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
       token =
           context.notifier.wait(id, next_look(job), again, any_change ? std::optional(progress_from) : std::nullopt);
       // A change between the query and the wait would be missed.
-      const api::Job now = find_job(context, id);
-      if (finished || (now.revision != job.revision && (due(now) || next_look(now) != next_look(job))))
-        context.notifier.wake(token);
+      if (finished || missed(job)) context.notifier.wake(token);
+    } catch (const StoreError& error) {
+      if (!error.busy || over()) return reply(answer_from_current_exception(*request));
+      const auto again = [self = shared_from_this()] { self->context.pool.post([self] { self->look(); }); };
+      token = context.notifier.wait("", std::min(until, context.time.now() + store_retry), again);
+      if (finished) context.notifier.wake(token);
     } catch (...) {
       reply(answer_from_current_exception(*request));
     }

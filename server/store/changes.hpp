@@ -39,6 +39,10 @@ class ChangeSource {
   /// already shown it. There is one listener; nullptr ends it, and when listen returns no call is in progress.
   virtual void listen(std::function<void(const std::vector<Changed>&)> call) = 0;
 
+  /// `call` is told, from any thread, that other processes may have made changes, sooner than polling would show them;
+  /// it must be quick. There is one listener; nullptr ends it, and when the call returns no other one is in progress.
+  virtual void listen_to_others(std::function<void()>) {}
+
   /// Returns the changes after `sequence`, the oldest `limit` ones, of all jobs or of one owner's; progress is none.
   /// Each change of a job gives it a new sequence, greater than all that anybody can have seen: no change appears
   /// behind a returned sequence. The cost depends on the changes returned, not on the number of jobs.

@@ -35,12 +35,15 @@ std::string prepared_path(const std::string& url) {
 }
 
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
-                                  std::size_t reserve, const Retention& retention) {
+                                  std::size_t reserve, const Retention& retention, const SharedStoreOptions& shared) {
   check_store(url);
   if (names_postgres(url)) {
     PostgresOptions options;
     options.url = url;
     options.retention = retention;
+    options.connections = shared.connections;
+    options.signals = shared.signals;
+    options.refused = shared.refused;
     if (observer) options.observer = std::move(observer);
     return std::make_unique<PostgresStore>(std::move(options));
   }
@@ -65,6 +68,12 @@ BackUp back_up(const std::string& url, const std::string& file) {
     throw StoreError(
         "a PostgreSQL store is backed up by PostgreSQL's own tools: pg_basebackup with an archive, or pg_dump", false);
   return sqlite::back_up(url, file);
+}
+
+int migrate_store(const std::string& url) {
+  check_store(url);
+  if (!names_postgres(url)) throw StoreError("an SQLite store is brought up to date by `bahnwerk serve`", false);
+  return postgres::bring_up_to_date(url);
 }
 
 std::vector<std::string> inspect(const std::string& url) {

@@ -15,11 +15,21 @@ void check_store(const std::string& url);
 /// Returns the path of an SQLite store's file, whatever links lead to it; makes its folder. Throws StoreError.
 std::string prepared_path(const std::string& url);
 
+/// How a process uses a store that processes share.
+struct SharedStoreOptions {
+  std::size_t connections = 8;  ///< most connections to its server
+  bool signals = true;          ///< whether processes tell each other of changes, beside polling
+  /// Called, from any thread and maybe again, where a server that was away at the start refuses this process for good.
+  std::function<void(const std::string&)> refused = [](const std::string&) {};
+};
+
 /// Opens the store named by a URL: sqlite:PATH (a missing directory is created), or a connection URI of PostgreSQL.
 /// `observer` receives every commit (seconds, writes); `reserve` bytes of disk are set aside for a full one, in a file
-/// beside SQLite's; ended jobs are kept as `retention` says. Throws StoreError with a sentence for the operator.
+/// beside SQLite's; ended jobs are kept as `retention` says. A server that is away may come later. Throws StoreError
+/// with a sentence for the operator.
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
-                                  std::size_t reserve = 0, const Retention& retention = {});
+                                  std::size_t reserve = 0, const Retention& retention = {},
+                                  const SharedStoreOptions& shared = {});
 
 struct BackUp {
   std::size_t jobs = 0, bytes = 0;
@@ -28,6 +38,11 @@ struct BackUp {
 /// accepted meanwhile do not delay it. The file appears when it is complete, in place of an older one. Throws
 /// StoreError with a sentence for the operator, also for a PostgreSQL store, which has tools of its own.
 BackUp back_up(const std::string& url, const std::string& file);
+
+/// Brings the schema of the PostgreSQL store named by a URL up to date, with partitions for the next days, and returns
+/// its version: for those who serve as a user who may not. Throws StoreError with a sentence for the operator, also for
+/// an SQLite store, which the service brings up to date.
+int migrate_store(const std::string& url);
 
 /// Returns what is wrong with the store named by a URL, in sentences: damaged pages, jobs without their document,
 /// results whose setpoints are not complete. It may be in use. Throws StoreError if it cannot be opened.

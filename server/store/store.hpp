@@ -42,7 +42,10 @@ class Store : public ChangeSource {
   virtual std::vector<std::string> queue(std::size_t limit) = 0;    ///< the first jobs of the queue, in its order
   /// Returns how many jobs are in each state, all or those of one owner; without counting them.
   virtual std::map<api::JobState, std::size_t> counts(const std::optional<std::string>& owner = std::nullopt) = 0;
+  /// Returns the jobs that run, in the order of their ids.
+  virtual std::vector<Running> running() = 0;
   virtual StoreStatus status() = 0;
+  virtual StoreState state() const { return StoreState::up; }  ///< without disk access
   virtual void ping() = 0;  ///< a real query; throws StoreError, also when there is no space for another job
 
   // Attempts: from claim to one of end, succeed, requeue. Each of these changes nothing and returns false when the job

@@ -1,5 +1,10 @@
 #include "server/store/store_url.hpp"
 
+#include <algorithm>
+#include <fstream>
+
+#include "server/store/values.hpp"
+
 namespace bahnwerk::server {
 namespace {
 
@@ -33,6 +38,22 @@ std::string without_secrets(std::string_view url) {
       before = '&';
     }
     at = end;
+  }
+  return out;
+}
+
+std::string with_password(const std::string& url, const std::string& file) {
+  if (!names_postgres(url)) throw StoreError("--store-password-file is for a store postgresql://… alone", false);
+  std::ifstream stream(file);
+  std::string password;
+  if (!std::getline(stream, password) || password.empty())
+    throw StoreError("the file " + file + " of --store-password-file has no password in its first line", false);
+  if (password.back() == '\r') password.pop_back();
+  std::string out = url + (url.find('?') == std::string::npos ? "?password=" : "&password=");
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  for (const char c : password) {
+    const auto byte = static_cast<unsigned char>(c);
+    out.append(1, '%').append(1, digits[byte >> 4]).append(1, digits[byte & 15]);
   }
   return out;
 }

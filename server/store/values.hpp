@@ -21,6 +21,25 @@ struct StoreError : std::runtime_error {
   bool full, busy;
 };
 
+/// The store's server cannot be reached, or did not answer in time: whether the call was carried out is unknown.
+struct StoreAway : StoreError {
+  explicit StoreAway(const std::string& what) : StoreError(what, false, true) {}
+};
+
+/// The store's server is a standby, which can only be read; the call had no effect.
+struct StoreReadOnly : StoreError {
+  explicit StoreReadOnly(const std::string& what) : StoreError(what, false, true) {}
+};
+
+/// What can be done with a store, as far as its last call showed.
+enum class StoreState { up, read_only, away };
+
+/// An attempt that runs, in any process, and the job's revision with its stored progress.
+struct Running {
+  std::string id;
+  std::uint64_t revision = 0;
+};
+
 /// The room that a store takes, and the age of its queue.
 struct StoreStatus {
   double bytes = 0, log_bytes = 0;            ///< of the jobs, and of what was not moved to them yet

@@ -65,8 +65,12 @@ refused() { # words, then the command
   expect_equal "$(code_of timeout 20 "$@")" 2 "$words"
   grep -q -- "$words" "$work/err" || fail "expected a sentence with '$words', got: $(cat "$work/err")"
 }
-refused "server cannot be reached" "$bahnwerk" serve --listen 127.0.0.1:0 --store "postgresql://me:secret@/x?host=$work"
+refused "server cannot be reached" "$bahnwerk" key list --store "postgresql://me:secret@/x?host=$work"
 grep -q secret "$work/err" && fail "the password of the store was printed"
+refused "brought up to date by" "$bahnwerk" migrate --store "sqlite:$work/a.db"
+refused "has no password" "$bahnwerk" serve --listen 127.0.0.1:0 --store "postgresql://me@/x?host=$work" --store-password-file "$work/none"
+refused "is for a store postgresql" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/a.db" --store-password-file "$work/none"
+refused "not in {on,off}" "$bahnwerk" serve --store-notify maybe
 refused "unsupported store" "$bahnwerk" serve --listen 127.0.0.1:0 --store /tmp/x.db
 refused "is no address" "$bahnwerk" serve --listen nonsense --store "sqlite:$work/a.db"
 refused "is no port" "$bahnwerk" serve --listen 127.0.0.1:99999 --store "sqlite:$work/a.db"
@@ -148,7 +152,7 @@ snake 20000 '{"time_budget":0.2}' >"$work/budget.json"
 client 1 submit "$work/budget.json" --wait --server "$url"
 jq -e '.type == "/problems/budget-exhausted"' "$work/out" >/dev/null || fail "submit --wait prints why"
 stop_server || fail "orderly end"
-for command in "" serve plan submit watch fetch health backup check; do
+for command in "" serve plan submit watch fetch health backup check migrate; do
   client 0 $command --help
   grep -q "Exit codes: 0 " "$work/out" || fail "help of '$command' names the exit codes"
 done
@@ -157,7 +161,7 @@ done
 client 0 serve --help
 mapfile -t flags < <(grep -o 'Env:BAHNWERK_[A-Z_]*' "$work/out" | sort -u | sed 's/Env:BAHNWERK_//')
 ((${#flags[@]} >= 14)) || fail "help names ${#flags[@]} variables"
-declare -A good=([LISTEN]= [STORE]= [WORKERS]=1 [ROLE]=all [HTTP_THREADS]=1 [MAX_QUEUED]=5 [MAX_BODY]=1MiB [MAX_CONNECTIONS]=9
+declare -A good=([LISTEN]= [STORE]= [WORKERS]=1 [ROLE]=all [STORE_NOTIFY]=off [STORE_CONNECTIONS]=8 [HTTP_THREADS]=1 [MAX_QUEUED]=5 [MAX_BODY]=1MiB [MAX_CONNECTIONS]=9
   [HEADER_TIMEOUT]=5 [BODY_TIMEOUT]=5 [IDLE_TIMEOUT]=5 [WRITE_TIMEOUT]=5 [DRAIN_TIMEOUT]=1 [LOG_LEVEL]=debug)
 for name in "${flags[@]}"; do
   [[ -v "good[$name]" ]] || continue
@@ -179,3 +183,18 @@ start_server
 head -c 2000 /dev/zero | tr '\0' ' ' >"$work/big"
 post "$work/big"
 expect_problem payload-too-large 413
+stop_server
+unset BAHNWERK_MAX_BODY
+
+# A PostgreSQL server that is away may come later; the password is not logged.
+store_url="postgresql://me:secret@/x?host=$work" start_server
+request GET /healthz
+expect_status 200
+request GET /readyz
+expect_problem store-unavailable 503
+request GET /v1/jobs
+expect_problem store-unavailable 503
+[[ -n $(header Retry-After) ]] || fail "expected Retry-After"
+stop_server || fail "an orderly end while the store is away"
+grep -q secret "$work/log" && fail "the password of the store was logged"
+[[ $(grep -c store_away "$work/log") -ge 1 ]] || fail "the log does not say that the store is away"

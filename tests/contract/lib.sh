@@ -22,7 +22,7 @@ fail() {
 # runs: below it they might not get a turn for minutes.
 start_server() {
   : >"$work/log"
-  "$bahnwerk" serve --listen "${listen:-127.0.0.1:0}" --worker-nice 0 --store "sqlite:${store:-$work/store.db}" "$@" 2>>"$work/log" &
+  "$bahnwerk" serve --listen "${listen:-127.0.0.1:0}" --worker-nice 0 --store "${store_url:-sqlite:${store:-$work/store.db}}" "$@" 2>>"$work/log" &
   server_pid=$!
   for _ in $(seq 600); do
     address=$(jq -rR 'fromjson? | select(.event == "listening").address' "$work/log" 2>/dev/null || true)

@@ -12,12 +12,13 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
 
 class Service:
-    """`arguments` are flags of `bahnwerk serve`. Ends with the block `with` that it is used in."""
+    """`arguments` are flags of `bahnwerk serve`; `url` names another store than a file of its own. Ends with the block `with` that it is used in."""
 
-    def __init__(self, binary, *arguments, store=None):
+    def __init__(self, binary, *arguments, store=None, url=None):
         self.binary, self.arguments = binary, list(arguments)
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="bahnwerk-"))
         self.store = pathlib.Path(store) if store else self.folder / "store.db"
+        self.url = url or f"sqlite:{self.store}"
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
@@ -37,7 +38,7 @@ class Service:
         begin = time.monotonic()
         with open(self.folder / "log", "ab") as log:
             self.process = subprocess.Popen(
-                [self.binary, "serve", "--listen", f"127.0.0.1:{self.port}", "--store", f"sqlite:{self.store}", *self.arguments],
+                [self.binary, "serve", "--listen", f"127.0.0.1:{self.port}", "--store", self.url, *self.arguments],
                 stdout=subprocess.DEVNULL, stderr=log)
         while True:
             try:
@@ -105,7 +106,7 @@ class Service:
 
     def check(self):
         """What `bahnwerk check` says about the store; empty if nothing is wrong."""
-        checked = subprocess.run([self.binary, "check", "--store", f"sqlite:{self.store}"], capture_output=True, text=True)
+        checked = subprocess.run([self.binary, "check", "--store", self.url], capture_output=True, text=True)
         return "" if checked.returncode == 0 else checked.stdout + checked.stderr
 
 

@@ -130,6 +130,7 @@ bool PostgresStore::leave(const Step& step) {
                          PostgresParameters().uuid(step.id).uuid(step.ended_by))
                     .empty();
       });
+      if (step.token) forget({step.id, *step.token});
       if (left) publish({{.id = step.id, .state = step.to.state}});
       return left;
     } catch (const StoreAway&) {
@@ -151,22 +152,53 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
       if (!rows.empty()) job = job_from(rows, 0);
     });
   };
-  {
-    const std::lock_guard lock(claim_mutex_);
-    take();
-    if (!job && !lose(lease.now).empty()) take();
+  const std::lock_guard lock(claim_mutex_);
+  if (claim_unknown_) {
+    reading([&](PostgresConnection& connection) { job = adopt(connection, lease.worker); });
+    claim_unknown_ = job.has_value();  // there may be another
   }
-  if (!job) return job;
-  publish({{.id = job->id, .state = JobState::running}});
-  // By the id alone, so that its partition is known.
-  reading([&](PostgresConnection& connection) {
-    const auto spec =
-        connection.run_lengthy("SELECT document, checked FROM specs WHERE id = $1", PostgresParameters().uuid(job->id));
-    if (spec.empty()) throw StoreError("store: a job without its document", false);
-    job->request.document = unpack_text(spec.bytes(0, 0));
-    job->request.checked = spec.flag(0, 1);
-  });
+  const bool adopted = job.has_value();
+  try {
+    if (!job) take();
+    if (!job && !lose(lease.now).empty()) take();
+    if (!job) return job;
+    if (!adopted) publish({{.id = job->id, .state = JobState::running}});
+    // By the id alone, so that its partition is known.
+    reading([&](PostgresConnection& connection) {
+      const auto spec = connection.run_lengthy("SELECT document, checked FROM specs WHERE id = $1",
+                                               PostgresParameters().uuid(job->id));
+      if (spec.empty()) throw StoreError("store: a job without its document", false);
+      job->request.document = unpack_text(spec.bytes(0, 0));
+      job->request.checked = spec.flag(0, 1);
+    });
+  } catch (const StoreError&) {
+    claim_unknown_ = true;
+    throw;
+  }
+  const std::lock_guard given_lock(given_mutex_);
+  given_.emplace(job->id, job->token);
   return job;
+}
+
+/// Returns a job that was claimed for this worker by a claim whose answer was lost.
+std::optional<api::Job> PostgresStore::adopt(PostgresConnection& connection, const std::string& worker) {
+  static const std::string sql = std::string("SELECT ")
+                                     .append(postgres_job_columns)
+                                     .append(
+                                         " FROM runs AS r JOIN jobs AS j ON j.id = r.id AND j.token = r.token AND "
+                                         "j.state = 'running' WHERE r.worker = $1");
+  const auto rows = connection.run(sql, PostgresParameters() << worker);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    api::Job job = job_from(rows, row);
+    const std::lock_guard lock(given_mutex_);
+    if (!given_.contains({job.id, job.token})) return job;
+  }
+  return std::nullopt;
+}
+
+void PostgresStore::forget(const Attempt& attempt) {
+  const std::lock_guard lock(given_mutex_);
+  given_.erase({attempt.id, attempt.token});
 }
 
 /// Fence: token and worker. One statement for all attempts, not waited for until it is on the disk.
@@ -181,7 +213,7 @@ std::vector<Attempt> PostgresStore::heartbeat(const Lease& lease, const std::vec
   }
   const auto length = lease.until == Lease::forever ? std::nullopt : std::optional(lease.until - lease.now);
   std::set<std::pair<std::string, std::int64_t>> held;
-  with_connection(true, [&](PostgresConnection& connection) {
+  with_connection_of(leases_, true, [&](PostgresConnection& connection) {
     PostgresParameters values;
     values.uuids(ids).integers(tokens).time(clock(lease.now)) << length << lease.worker;
     const auto rows = connection.run_all(
@@ -225,6 +257,7 @@ bool PostgresStore::requeue(const Attempt& attempt, std::int64_t now, std::uint6
                                        .not_made = 1}));
   }
   const auto rows = writing([&](PostgresConnection& connection) { return connection.run_all(statements); });
+  forget(attempt);
   for (std::size_t k = 0; k < fates.size(); ++k) {
     if (rows[k + 1].integer(0, 0) == 0) continue;
     publish({{.id = attempt.id, .state = fates[k].state}});

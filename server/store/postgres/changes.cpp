@@ -66,7 +66,7 @@ Changes PostgresStore::changes_since(std::uint64_t sequence, std::size_t limit,
     const std::uint64_t last = numbered(connection);
     PostgresParameters values;
     values << static_cast<std::int64_t>(sequence) << owner << static_cast<std::int64_t>(limit);
-    const auto rows = connection.run_all(
+    const auto rows = connection.run_all_lengthy(
         {{"SELECT lowest FROM change_feed"},
          {"SELECT n.number, n.id, j.state, j.cancel_requested, greatest(j.revision, r.revision) FROM change_numbers AS "
           "n LEFT JOIN jobs AS j ON j.id = n.id LEFT JOIN runs AS r ON r.id = n.id WHERE n.number > $1 AND ($2 IS NULL "

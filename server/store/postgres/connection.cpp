@@ -43,12 +43,15 @@ PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience 
     const bool reading = step == PGRES_POLLING_READING;
     if (PQstatus(connection_) == CONNECTION_BAD || step == PGRES_POLLING_FAILED) {
       const std::string why = first_line(PQerrorMessage(connection_));
-      // What the server itself refuses does not become right by waiting.
-      const bool refused = why.find("FATAL") != std::string::npos && why.find("starting up") == std::string::npos &&
-                           why.find("shutting down") == std::string::npos &&
-                           why.find("too many") == std::string::npos && why.find("recovery") == std::string::npos;
+      // libpq gives no SQLSTATE here. What is not known to be a refusal may pass.
+      static constexpr std::string_view refusals[] = {"authentication failed", "no password supplied",
+                                                      "does not exist",        "pg_hba.conf",
+                                                      "permission denied for", "not permitted to log in"};
+      const bool refused = why.find("No such file") == std::string::npos &&
+                           std::any_of(std::begin(refusals), std::end(refusals),
+                                       [&](std::string_view each) { return why.find(each) != std::string::npos; });
       PQfinish(std::exchange(connection_, nullptr));
-      if (refused) throw StoreError("the PostgreSQL server refuses the connection: " + why, false);
+      if (refused) throw StoreRefused("the PostgreSQL server refuses the connection: " + why);
       throw StoreAway("the PostgreSQL server cannot be reached: " + why);
     }
     pollfd socket{PQsocket(connection_), static_cast<short>(reading ? POLLIN : POLLOUT), 0};
@@ -116,7 +119,8 @@ void PostgresConnection::check(pg_result* result) {
   if (state == "40001" || state == "40P01") throw StoreConflict("the store is busy: " + why);
   if (state == "55P03" || state == "57014") throw StoreError("the store is busy: " + why, false, true);
   if (state.starts_with("57P") || state.starts_with("08")) lose(why);  // the server ends
-  if (state == "25006") throw StoreError("the store can be read only: " + why, false);
+  // A standby has no tables that are not logged [0A000].
+  if (state == "25006" || (state == "0A000" && read_only())) throw StoreReadOnly("the store can be read only: " + why);
   throw StoreError("store: " + why + " (SQLSTATE " + state + ")", false);
 }
 
@@ -205,7 +209,37 @@ PostgresRows PostgresConnection::run_lengthy(std::string_view sql, const Postgre
 }
 std::vector<PostgresRows> PostgresConnection::run_all(const std::vector<PostgresStatement>& statements) {
   if (statements.empty()) return {};
+  return send(statements, std::chrono::steady_clock::now() + patience_.brief);
+}
+std::vector<PostgresRows> PostgresConnection::run_all_lengthy(const std::vector<PostgresStatement>& statements) {
+  if (statements.empty()) return {};
   return send(statements, std::chrono::steady_clock::now() + patience_.lengthy);
+}
+
+std::vector<std::string> PostgresConnection::wait_for_signals(int wake, Time until) {
+  std::vector<std::string> contents;
+  for (;;) {
+    if (!connection_) throw StoreAway("the PostgreSQL server is away");
+    while (PGnotify* const signal = PQnotifies(connection_)) {
+      contents.emplace_back(signal->extra);
+      PQfreemem(signal);
+    }
+    if (!contents.empty()) return contents;
+    pollfd sockets[] = {{PQsocket(connection_), POLLIN, 0}, {wake, POLLIN, 0}};
+    const int ready = ::poll(sockets, 2, milliseconds_until(until));
+    if (sockets[0].revents != 0 && PQconsumeInput(connection_) == 0) lose(first_line(PQerrorMessage(connection_)));
+    if (sockets[1].revents != 0 || (ready == 0 && std::chrono::steady_clock::now() >= until)) {
+      if (sockets[0].revents == 0) return contents;
+      until = std::chrono::steady_clock::now();
+    }
+  }
+}
+
+bool PostgresConnection::read_only() const {
+  const char* const standby = connection_ ? PQparameterStatus(connection_, "in_hot_standby") : nullptr;
+  const char* const set = connection_ ? PQparameterStatus(connection_, "default_transaction_read_only") : nullptr;
+  const auto on = [](const char* value) { return value && std::string_view(value) == "on"; };
+  return on(standby) || on(set);
 }
 
 void PostgresConnection::script(const std::string& sql) {

@@ -16,9 +16,10 @@ struct pg_result;
 
 namespace bahnwerk::server {
 
-/// The server cannot be reached, or did not answer in time: whether the call was carried out is unknown.
-struct StoreAway : StoreError {
-  explicit StoreAway(const std::string& what) : StoreError(what, false, true) {}
+/// The server refuses this user, password or database, or the store is too new for the program: it stays away until
+/// somebody changes that.
+struct StoreRefused : StoreAway {
+  using StoreAway::StoreAway;
 };
 
 /// Two transactions were in each other's way (SQLSTATE 40001, 40P01): the call had no effect and may be repeated.
@@ -38,7 +39,7 @@ struct PostgresPatience {
 
 class PostgresConnection {
  public:
-  /// Connects. Throws StoreAway, or StoreError where the server refuses (password, database); no message has the
+  /// Connects. Throws StoreAway, or StoreRefused where waiting does not help (password, database); no message has the
   /// password.
   explicit PostgresConnection(const std::string& url, PostgresPatience patience = {});
   ~PostgresConnection();
@@ -50,11 +51,18 @@ class PostgresConnection {
   PostgresRows run_lengthy(std::string_view sql, const PostgresParameters& parameters = {});
   /// Sends all statements at once (pipeline mode); outside of begin() and commit() they are one transaction.
   std::vector<PostgresRows> run_all(const std::vector<PostgresStatement>& statements);
+  std::vector<PostgresRows> run_all_lengthy(const std::vector<PostgresStatement>& statements);
   void script(const std::string& sql);  ///< several statements without parameters
   void begin() { script("BEGIN"); }
   void commit() { script("COMMIT"); }
   void rollback() noexcept;  ///< ends an open transaction, if any
 
+  /// Waits until the server has sent signals of a channel that was listened to, the descriptor `wake` can be read, or
+  /// the time is over; returns the contents of the signals.
+  std::vector<std::string> wait_for_signals(int wake, std::chrono::steady_clock::time_point until);
+
+  /// Returns whether the server can only be read, as it has said last.
+  bool read_only() const;
   bool broken() const;  ///< whether a call has failed in a way after which the connection is of no use
   bool idle();          ///< whether it can take a call: unbroken, without a transaction, not closed by the server
   std::chrono::steady_clock::time_point since() const { return since_; }  ///< when it was made

@@ -2,6 +2,18 @@
 
 namespace bahnwerk::server {
 
+std::unique_ptr<PostgresConnection> PostgresConnections::make() const {
+  state_.begin_attempt();
+  try {
+    auto connection = std::make_unique<PostgresConnection>(url_, patience_);
+    state_.connected(connection->read_only());
+    return connection;
+  } catch (const std::exception& error) {
+    state_.failed(error.what());
+    throw;
+  }
+}
+
 std::unique_ptr<PostgresConnection> PostgresConnections::take() {
   {
     std::unique_lock lock(mutex_);
@@ -12,13 +24,12 @@ std::unique_ptr<PostgresConnection> PostgresConnections::take() {
       auto connection = std::move(free_.back());
       free_.pop_back();
       if (connection->idle()) return connection;
-      lost();
+      state_.lost();
     }
   }
   try {
     return make();
   } catch (...) {
-    lost();
     const std::lock_guard lock(mutex_);
     --used_;
     given_back_.notify_one();
@@ -29,18 +40,14 @@ std::unique_ptr<PostgresConnection> PostgresConnections::take() {
 void PostgresConnections::give(std::unique_ptr<PostgresConnection> connection) {
   connection->rollback();
   const bool good = connection->idle();
-  if (!good) lost();
+  if (good)
+    state_.read_only(connection->read_only());
+  else
+    state_.lost();
   const std::lock_guard lock(mutex_);
   --used_;
   if (good) free_.push_back(std::move(connection));
   given_back_.notify_one();
 }
-
-std::chrono::milliseconds PostgresConnections::unbroken() const {
-  const std::chrono::steady_clock::time_point since{std::chrono::steady_clock::duration(unbroken_since_.load())};
-  return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - since);
-}
-
-void PostgresConnections::lost() { unbroken_since_ = std::chrono::steady_clock::now().time_since_epoch().count(); }
 
 }  // namespace bahnwerk::server

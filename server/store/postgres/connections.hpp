@@ -1,7 +1,6 @@
 #pragma once
 /// The connections of a process to its PostgreSQL server: made when they are needed, at most so many, and given to one
 /// caller at a time.
-#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -9,13 +8,14 @@
 #include <vector>
 
 #include "server/store/postgres/connection.hpp"
+#include "server/store/postgres/server_state.hpp"
 
 namespace bahnwerk::server {
 
 class PostgresConnections {
  public:
-  PostgresConnections(std::string url, PostgresPatience patience, std::size_t most)
-      : url_(std::move(url)), patience_(patience), most_(most) {}
+  PostgresConnections(std::string url, PostgresPatience patience, std::size_t most, PostgresServerState& state)
+      : url_(std::move(url)), patience_(patience), most_(most), state_(state) {}
 
   /// A connection in use; given back by the destructor.
   class Borrowed {
@@ -32,12 +32,8 @@ class PostgresConnections {
     std::unique_ptr<PostgresConnection> connection_;
   };
 
-  /// Returns a connection of its own, which does not count. Throws StoreAway, StoreError.
-  std::unique_ptr<PostgresConnection> make() const { return std::make_unique<PostgresConnection>(url_, patience_); }
-
-  /// Returns how long no connection has been lost: what other processes hear of this one may be older otherwise.
-  std::chrono::milliseconds unbroken() const;
-  void lost();  ///< a connection was lost, this one's or one of its own
+  /// Returns a connection of its own, which does not count. Throws StoreAway, StoreRefused.
+  std::unique_ptr<PostgresConnection> make() const;
 
  private:
   std::unique_ptr<PostgresConnection> take();
@@ -46,12 +42,11 @@ class PostgresConnections {
   const std::string url_;
   const PostgresPatience patience_;
   const std::size_t most_;
+  PostgresServerState& state_;
   std::mutex mutex_;
   std::condition_variable given_back_;
   std::vector<std::unique_ptr<PostgresConnection>> free_;
   std::size_t used_ = 0;
-  std::atomic<std::chrono::steady_clock::rep> unbroken_since_ =
-      std::chrono::steady_clock::now().time_since_epoch().count();
 };
 
 }  // namespace bahnwerk::server

@@ -36,7 +36,7 @@ std::vector<std::string> PostgresStore::end_late(std::int64_t now) {
       statements.push_back(statement_of(
           {.id = ids.back(), .from = api::JobState::queued, .to = after_deadline(ids.back()), .now = now}));
     }
-    connection.run_all(statements);
+    connection.run_all_lengthy(statements);
     connection.commit();
   });
   std::vector<Changed> changes;
@@ -52,7 +52,7 @@ std::vector<std::string> PostgresStore::lose(std::int64_t now) {
   std::vector<std::string> ids;
   std::vector<Changed> changes;
   const auto unbroken =
-      options_.times_of_callers ? std::nullopt : std::optional<std::int64_t>(connections_.unbroken().count());
+      options_.times_of_callers ? std::nullopt : std::optional<std::int64_t>(state_.unbroken().count());
   writing([&](PostgresConnection& connection) {
     ids.clear();
     changes.clear();
@@ -79,7 +79,7 @@ std::vector<std::string> PostgresStore::lose(std::int64_t now) {
       ids.push_back(id);
       changes.push_back({.id = id, .state = fate.state});
     }
-    connection.run_all(statements);
+    connection.run_all_lengthy(statements);
     connection.commit();
   });
   publish(changes);
@@ -157,7 +157,7 @@ bool PostgresStore::sweep(const std::string& id, std::int64_t token) {
   return with_connection(true, [&](PostgresConnection& connection) {
     PostgresParameters key;
     key.uuid(id) << token;
-    const auto rows = connection.run_all(
+    const auto rows = connection.run_all_lengthy(
         {{"DELETE FROM chunks WHERE id = $1 AND (id, token, first_row) IN (SELECT id, token, first_row FROM chunks "
           "WHERE id = $1 AND ($2 = 0 OR token = $2) LIMIT 16)",
           key},

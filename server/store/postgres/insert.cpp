@@ -12,6 +12,7 @@
 namespace bahnwerk::server {
 namespace {
 
+constexpr std::size_t brief_bytes = 1 << 20;
 constexpr std::size_t posts_at_once = 64, told_at_once = 256;
 
 /// The key is inserted first: of two posts with one key at once, the second one waits for the first and then inserts
@@ -98,11 +99,15 @@ void PostgresStore::store_posts(std::vector<Post>& group) {
   std::stable_sort(all.begin(), all.end(), [](const Post* a, const Post* b) {
     return std::tie(a->job.owner, a->job.idempotency_key) < std::tie(b->job.owner, b->job.idempotency_key);
   });
-  const auto try_to = [this](const std::vector<Post*>& some) -> std::exception_ptr {
+  bool away = false;
+  const auto try_to = [&](const std::vector<Post*>& some) -> std::exception_ptr {
     try {
       // Repeated, it finds what was stored before.
       with_connection(true, [&](PostgresConnection& connection) { store_group(connection, some); });
       return nullptr;
+    } catch (const StoreAway&) {
+      away = true;
+      return std::current_exception();
     } catch (...) {
       return std::current_exception();
     }
@@ -117,7 +122,7 @@ void PostgresStore::store_posts(std::vector<Post>& group) {
     for (Post* post : some) post->done(post->outcome, error);
   };
   const std::exception_ptr error = try_to(all);
-  if (!error || all.size() == 1) return end(all, error);
+  if (!error || away || all.size() == 1) return end(all, error);
   for (Post* post : all) end({post}, try_to({post}));  // one bad post must not fail its neighbours
 }
 
@@ -157,6 +162,7 @@ void PostgresStore::store_group(PostgresConnection& connection, std::vector<Post
   }
 
   Statements inserts;
+  std::size_t bytes = 0;
   std::vector<Post*> inserted;
   for (Post* post : group) {
     const NewJob& job = post->job;
@@ -198,8 +204,10 @@ void PostgresStore::store_group(PostgresConnection& connection, std::vector<Post
     values.bytes(post->packed) << r.checked;
     inserts.push_back({insert_job, std::move(values)});
     inserted.push_back(post);
+    bytes += post->packed.size();
   }
-  const auto results = connection.run_all(inserts);  // one transaction
+  // One transaction; large documents take their time.
+  const auto results = bytes <= brief_bytes ? connection.run_all(inserts) : connection.run_all_lengthy(inserts);
   std::vector<Post*> again;
   for (std::size_t k = 0; k < inserted.size(); ++k) {
     Post& post = *inserted[k];

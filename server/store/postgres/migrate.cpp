@@ -4,8 +4,10 @@
 #include <string>
 #include <thread>
 
+#include "server/store/postgres/commands.hpp"
 #include "server/store/postgres/connection.hpp"
 #include "server/store/postgres/locks.hpp"
+#include "server/store/postgres/partitions.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -45,9 +47,8 @@ int postgres_version(PostgresConnection& connection) {
       connection.run("SELECT coalesce(max(version), 0), coalesce(max(min_reader), 0) FROM bahnwerk.schema_version");
   const auto least = rows.integer(0, 1), known = static_cast<std::int64_t>(postgres_migrations().size());
   if (least > known)
-    throw StoreError("the store was written by a newer version: it needs schema version " + std::to_string(least) +
-                         ", this program knows only up to " + std::to_string(known),
-                     false);
+    throw StoreRefused("the store was written by a newer version: it needs schema version " + std::to_string(least) +
+                       ", this program knows only up to " + std::to_string(known));
   return static_cast<int>(rows.integer(0, 0));
 }
 
@@ -74,4 +75,14 @@ void migrate(PostgresConnection& connection) {
   }
 }
 
+namespace postgres {
+
+int bring_up_to_date(const std::string& url) {
+  PostgresConnection connection(url);
+  migrate(connection);
+  keep_partitions(connection);
+  return postgres_version(connection);
+}
+
+}  // namespace postgres
 }  // namespace bahnwerk::server

@@ -15,8 +15,8 @@ std::span<const Migration> postgres_migrations();
 /// Returns the version of the schema; 0: there is none.
 int postgres_version(PostgresConnection& connection);
 
-/// Applies what is missing, in one transaction. Throws StoreError where a newer version of the program wrote the store
-/// and says that this one cannot use it, or where another process holds the migration for a minute.
+/// Applies what is missing, in one transaction. Throws StoreRefused where a newer version of the program wrote the
+/// store and says that this one cannot use it, StoreError where another process holds the migration for a minute.
 void migrate(PostgresConnection& connection);
 
 }  // namespace bahnwerk::server

@@ -1,20 +1,31 @@
 #include "server/store/postgres/postgres_store.hpp"
 
 #include "server/store/postgres/migrate.hpp"
+#include "server/store/postgres/partitions.hpp"
 #include "server/store/postgres/post.hpp"
 
 namespace bahnwerk::server {
+namespace {
+
+constexpr std::size_t own_connections = 2;  ///< that of leases, and that of signals
+
+}  // namespace
 
 PostgresStore::PostgresStore(PostgresOptions options)
-    : options_(std::move(options)), connections_(options_.url, options_.patience, options_.connections) {
-  {
+    : options_(std::move(options)),
+      connections_(options_.url, options_.patience,
+                   std::max(options_.connections, own_connections + 2) - own_connections, state_),
+      leases_(options_.url, options_.patience, 1, state_) {
+  try {
     PostgresConnections::Borrowed connection(connections_);
-    migrate(*connection);
-    const auto last = connection->run("SELECT id FROM jobs ORDER BY id DESC LIMIT 1");
-    if (!last.empty()) ids_.advance_past(last.uuid(0, 0));
+    prepare(*connection);
+  } catch (const StoreRefused&) {
+    throw;
+  } catch (const StoreError& error) {  // the first call that reaches it prepares it
+    if (!error.busy) throw;
   }
-  maintain();  // the partition of today comes before its first row
   for (std::size_t k = 0; k < options_.writers; ++k) writers_.emplace_back([this] { write(); });
+  if (options_.signals) signals_.emplace(connections_, process_);
 }
 
 PostgresStore::~PostgresStore() {
@@ -24,6 +35,7 @@ PostgresStore::~PostgresStore() {
   }
   wake_.notify_all();
   for (std::thread& writer : writers_) writer.join();
+  signals_.reset();
   try {
     writing([&](PostgresConnection& connection) {
       return connection.run("DELETE FROM duties WHERE process = $1", PostgresParameters() << process_);
@@ -32,13 +44,31 @@ PostgresStore::~PostgresStore() {
   }
 }
 
+void PostgresStore::prepare(PostgresConnection& connection) {
+  const std::lock_guard lock(prepare_mutex_);
+  if (prepared_) return;
+  migrate(connection);
+  const auto last = connection.run("SELECT id FROM jobs ORDER BY id DESC LIMIT 1");
+  if (!last.empty()) {
+    const std::lock_guard ids_lock(ids_mutex_);
+    ids_.advance_past(last.uuid(0, 0));
+  }
+  keep_partitions(connection);  // that of today comes before its first row
+  prepared_ = true;
+}
+
 void PostgresStore::listen(std::function<void(const std::vector<Changed>&)> call) {
   const std::lock_guard lock(listener_mutex_);
   listener_ = std::move(call);
 }
 
+void PostgresStore::listen_to_others(std::function<void()> call) {
+  if (signals_) signals_->listen(std::move(call));
+}
+
 void PostgresStore::publish(const std::vector<Changed>& changes) {
   if (changes.empty()) return;
+  if (signals_) signals_->tell();
   const std::lock_guard lock(listener_mutex_);
   if (listener_) listener_(changes);
 }

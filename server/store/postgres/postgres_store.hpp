@@ -2,12 +2,15 @@
 /// The store in a PostgreSQL database (schema `bahnwerk`), which any number of processes share. All transactions are
 /// READ COMMITTED; what a call decides on is locked, or a condition of the statement that writes. Rows of `jobs` are
 /// locked before those of `runs`. The state machine is that of rules.hpp.
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -15,6 +18,7 @@
 #include "server/runtime/uuid7.hpp"
 #include "server/store/packed_text.hpp"
 #include "server/store/postgres/connections.hpp"
+#include "server/store/postgres/signals.hpp"
 #include "server/store/rules.hpp"
 #include "server/store/store.hpp"
 
@@ -27,9 +31,14 @@ struct PostgresOptions {
   Retention retention = {};
   std::function<void(double, std::size_t)> observer = [](double, std::size_t) {};  ///< seconds and posts of a commit
   PostgresPatience patience = {};
-  std::size_t connections = 8;  ///< most connections of the process, beside `writers`
-  std::size_t writers = 2;      ///< threads that commit posted jobs and progress
-  int engine = 0;               ///< level of the program's planners: jobs that need a higher one are left to others
+  std::size_t connections =
+      8;                    ///< most connections of the process: one for leases, one for signals, the others for all
+  std::size_t writers = 2;  ///< threads that commit posted jobs and progress
+  bool signals = true;      ///< whether processes tell each other of changes (LISTEN, NOTIFY)
+  /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
+  /// store that is too new for the program.
+  std::function<void(const std::string&)> refused = [](const std::string&) {};
+  int engine = 0;  ///< level of the program's planners: jobs that need a higher one are left to others
   /// Whether leases and deadlines are measured by the times that callers give, for tests. Otherwise the database's
   /// clock is the one of all processes.
   bool times_of_callers = false;
@@ -37,12 +46,14 @@ struct PostgresOptions {
 
 class PostgresStore final : public Store {
  public:
-  /// Connects and brings the schema up to date. Throws StoreError with a sentence for the operator.
+  /// Connects and brings the schema up to date; where the server is away, the first call that reaches it does. Throws
+  /// StoreRefused, with a sentence for the operator, where waiting does not help.
   explicit PostgresStore(PostgresOptions options);
   ~PostgresStore() override;
 
   bool shared() const override { return true; }
   void listen(std::function<void(const std::vector<Changed>&)> call) override;
+  void listen_to_others(std::function<void()> call) override;
   Changes changes_since(std::uint64_t sequence, std::size_t limit, const std::optional<std::string>& owner) override;
   std::uint64_t last_change() override;
 
@@ -51,7 +62,9 @@ class PostgresStore final : public Store {
   std::vector<api::Job> list(const JobFilter& filter) override;
   std::vector<std::string> queue(std::size_t limit) override;
   std::map<api::JobState, std::size_t> counts(const std::optional<std::string>& owner) override;
+  std::vector<Running> running() override;
   StoreStatus status() override;
+  StoreState state() const override { return state_.now(); }
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
   std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
@@ -108,7 +121,11 @@ class PostgresStore final : public Store {
   /// Calls `work` with a connection. It is called again where two transactions were in each other's way, or, if `again`
   /// says that this is safe, on another connection where the first one was lost.
   template <class Work>
-  auto with_connection(bool again, Work&& work);
+  auto with_connection(bool again, Work&& work) {
+    return with_connection_of(connections_, again, std::forward<Work>(work));
+  }
+  template <class Work>
+  auto with_connection_of(PostgresConnections& connections, bool again, Work&& work);
   template <class Work>
   auto reading(Work&& work) {
     return with_connection(true, std::forward<Work>(work));
@@ -122,7 +139,10 @@ class PostgresStore final : public Store {
   std::optional<std::int64_t> clock(std::int64_t now) const {
     return options_.times_of_callers ? std::optional(now) : std::nullopt;
   }
+  void prepare(PostgresConnection& connection);
   void publish(const std::vector<Changed>& changes);
+  void forget(const Attempt& attempt);  ///< the attempt is over
+  std::optional<api::Job> adopt(PostgresConnection& connection, const std::string& worker);
   std::uint64_t number_changes(PostgresConnection& connection);
   std::uint64_t numbered(PostgresConnection& connection);
 
@@ -148,10 +168,16 @@ class PostgresStore final : public Store {
 
   const PostgresOptions options_;
   const std::string process_ = random_id();  ///< names this process among those that share the store
-  PostgresConnections connections_;
+  PostgresServerState state_;
+  PostgresConnections connections_, leases_;  ///< heartbeats do not wait for others
+  std::mutex prepare_mutex_;
+  std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;
   Uuid7 ids_;
-  std::mutex claim_mutex_;  ///< one claim at a time: suspects run alone in a process
+  std::mutex claim_mutex_;      ///< one claim at a time: suspects run alone in a process
+  bool claim_unknown_ = false;  ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
+  std::mutex given_mutex_;
+  std::set<std::pair<std::string, std::int64_t>> given_;  ///< attempts (id, token) that claims have returned
   std::mutex listener_mutex_;
   std::function<void(const std::vector<Changed>&)> listener_;
   std::mutex maintenance_mutex_;
@@ -163,17 +189,22 @@ class PostgresStore final : public Store {
   std::deque<Told> told_;
   bool stop_ = false;
   std::vector<std::thread> writers_;
+  std::optional<PostgresSignals> signals_;
 };
 
 template <class Work>
-auto PostgresStore::with_connection(bool again, Work&& work) {
+auto PostgresStore::with_connection_of(PostgresConnections& connections, bool again, Work&& work) {
   constexpr int most = 4;
   for (int attempt = 1;; ++attempt) {
     try {
-      PostgresConnections::Borrowed connection(connections_);
+      PostgresConnections::Borrowed connection(connections);
+      if (!prepared_) prepare(*connection);
       return work(*connection);
     } catch (const StoreConflict&) {
       if (attempt == most) throw;
+    } catch (const StoreRefused& error) {
+      if (!prepared_) options_.refused(error.what());
+      throw;
     } catch (const StoreAway&) {
       if (!again || attempt > 1) throw;
     }

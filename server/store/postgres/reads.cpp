@@ -31,6 +31,17 @@ std::optional<api::Job> PostgresStore::get(const std::string& id, bool with_docu
   });
 }
 
+std::vector<Running> PostgresStore::running() {
+  const auto rows = reading([](PostgresConnection& connection) {
+    return connection.run(
+        "SELECT r.id, greatest(j.revision, r.revision) FROM runs AS r JOIN jobs AS j ON j.id = r.id ORDER BY r.id");
+  });
+  std::vector<Running> running;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    running.push_back({rows.uuid(row, 0), static_cast<std::uint64_t>(rows.integer(row, 1))});
+  return running;
+}
+
 StoreStatus PostgresStore::status() {
   return reading([&](PostgresConnection& connection) {
     const auto rows = connection.run_lengthy(

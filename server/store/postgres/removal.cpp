@@ -84,7 +84,7 @@ std::size_t PostgresStore::for_all(
     Statements statements;
     for (const api::Job& job : jobs) add(statements, job.id);
     const std::size_t each = statements.size() / jobs.size();
-    const auto rows = writing([&](PostgresConnection& connection) { return connection.run_all(statements); });
+    const auto rows = writing([&](PostgresConnection& connection) { return connection.run_all_lengthy(statements); });
     std::vector<Changed> changes;
     for (std::size_t k = 0; k < jobs.size(); ++k)
       if (auto changed = told(&rows[k * each], jobs[k].id)) changes.push_back(std::move(*changed));

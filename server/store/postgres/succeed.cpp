@@ -88,7 +88,7 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
       const bool stored = with_connection(true, [&](PostgresConnection& connection) {
         Statements statements;
         store_piece(statements, attempt, piece);
-        connection.run_all(statements);
+        connection.run_all_lengthy(statements);
         return running(connection);
       });
       if (!stored) return false;
@@ -111,8 +111,9 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
                                                 PostgresParameters().uuid(attempt.id).uuid(name))
                                            .empty())
       return true;  // the answer was lost, not the result
-    return connection.run_all(statements).back().integer(0, 0) == 1;
+    return connection.run_all_lengthy(statements).back().integer(0, 0) == 1;
   });
+  forget(attempt);
   if (stored) publish({{.id = attempt.id, .state = api::JobState::succeeded}});
   return stored;
 }
@@ -147,7 +148,7 @@ void PostgresStore::put_views(const SeriesInfo& series, const std::vector<api::V
     statements.push_back({"UPDATE results SET views = $3 WHERE id = $1 AND token = $2",
                           PostgresParameters().uuid(series.id) << series.key << std::int64_t{api::views_version}});
   const auto rows =
-      with_connection(true, [&](PostgresConnection& connection) { return connection.run_all(statements); });
+      with_connection(true, [&](PostgresConnection& connection) { return connection.run_all_lengthy(statements); });
   if (rows[0].empty()) throw StoreError("the setpoints are gone: the job was deleted", false);
 }
 

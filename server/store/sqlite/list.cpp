@@ -166,6 +166,14 @@ std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
   return jobs;
 }
 
+std::vector<Running> SqliteStore::running() {
+  Reader reader(*this);
+  Query rows = reader.query("SELECT id, revision FROM jobs WHERE state = 'running' ORDER BY id");
+  std::vector<Running> running;
+  while (rows.step()) running.push_back({rows.text(0), static_cast<std::uint64_t>(rows.integer(1))});
+  return running;
+}
+
 std::vector<std::string> SqliteStore::queue(std::size_t limit) {
   Reader reader(*this);
   Query rows = reader.query(

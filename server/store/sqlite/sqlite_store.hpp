@@ -48,6 +48,7 @@ class SqliteStore final : public Store {
   std::vector<api::Job> list(const JobFilter& filter) override;
   std::vector<std::string> queue(std::size_t limit) override;
   std::map<api::JobState, std::size_t> counts(const std::optional<std::string>& owner) override;
+  std::vector<Running> running() override;
   StoreStatus status() override;
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;

@@ -77,6 +77,15 @@ TEST(Answer, AShortTextIsABodyALongOneAStreamOfKnownLength) {
   EXPECT_EQ(text.size(), 50'000U);
 }
 
+TEST(Answer, AStoreThatIsAwayOrAStandbyIsUnavailableForNow) {
+  for (const Response& answer : {thrown(StoreAway("server /secret")), thrown(StoreReadOnly("server /secret"))}) {
+    EXPECT_EQ(answer.status, 503);
+    EXPECT_EQ(json::parse(answer.body)["type"], "/problems/store-unavailable");
+    EXPECT_EQ(answer.header("Retry-After"), "10");
+    EXPECT_EQ(answer.body.find("secret"), std::string::npos);
+  }
+}
+
 TEST(Answer, TextsOfUnknownExceptionsStayInside) {
   testing::internal::CaptureStderr();
   const Response unknown = thrown(std::runtime_error("password 1234")),

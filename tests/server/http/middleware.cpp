@@ -38,6 +38,18 @@ TEST(Middleware, AUsableIdOfTheClientIsKeptAnyOtherIsReplaced) {
   EXPECT_NE(first->id, second->id);
 }
 
+TEST(Middleware, AnswersSayThatTheStoreCanOnlyBeRead) {
+  StoreState state = StoreState::up;
+  const auto header = [&] {
+    return run(tell_store_state([&] { return state; }), std::make_shared<Request>()).header("Bahnwerk-Store");
+  };
+  EXPECT_FALSE(header());
+  state = StoreState::read_only;
+  EXPECT_EQ(header(), "read-only");
+  state = StoreState::away;
+  EXPECT_FALSE(header());
+}
+
 TEST(Middleware, ABrokenMessageIsAnsweredWithoutTheHandler) {
   const auto request = std::make_shared<Request>();
   request->fault = Fault{413, "too large"};

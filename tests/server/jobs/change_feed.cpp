@@ -16,10 +16,16 @@ class SecondView final : public ChangeSource {
   bool shared() const override { return true; }
   void listen(std::function<void(const std::vector<Changed>&)>) override {}
   Changes changes_since(std::uint64_t sequence, std::size_t limit, const std::optional<std::string>& owner) override {
+    if (away) throw StoreAway("away");
     return cut_off ? Changes{} : server::changes_since(connection_, sequence, limit, owner);
   }
-  std::uint64_t last_change() override { return server::last_change(connection_); }
-  std::atomic<bool> cut_off{false};
+  std::uint64_t last_change() override {
+    if (away) throw StoreAway("away");
+    return server::last_change(connection_);
+  }
+  void listen_to_others(std::function<void()> call) override { signal = std::move(call); }
+  std::atomic<bool> cut_off{false}, away{false};
+  std::function<void()> signal;
 
  private:
   SqliteConnection connection_;
@@ -67,6 +73,28 @@ TEST_F(ChangeFeedTest, WakesByAskingWhereAnotherProcessCommits) {
     EXPECT_EQ(woken.wait_for(10s), std::future_status::ready) << step;
   }
   EXPECT_EQ(asleep.wait_for(0s), std::future_status::timeout);
+}
+
+TEST_F(ChangeFeedTest, AsksAtOnceWhenOthersSignal) {
+  const std::string id = insert_id(*store);
+  SecondView view(folder.path / "store.db");
+  const ChangeFeed feed(view, hooks, 24h);
+  const auto woken = wait(id);
+  EXPECT_EQ(woken.wait_for(50ms), std::future_status::timeout);
+  store->cancel(id, 2);
+  view.signal();
+  EXPECT_EQ(woken.wait_for(30s), std::future_status::ready);
+}
+
+TEST_F(ChangeFeedTest, WakesAllWhenASourceIsBackThatWasAwayAtTheStart) {
+  const std::string id = insert_id(*store);
+  SecondView view(folder.path / "store.db");
+  view.away = true;
+  const ChangeFeed feed(view, hooks, 10ms);
+  const auto woken = wait(id);
+  EXPECT_EQ(woken.wait_for(50ms), std::future_status::timeout);
+  view.away = false;
+  EXPECT_EQ(woken.wait_for(30s), std::future_status::ready);
 }
 
 TEST_F(ChangeFeedTest, WakesAllWhenRemovalsAreForgotten) {

@@ -47,5 +47,13 @@ TEST_F(StoreTest, ARingFollowsTheStore) {
   EXPECT_TRUE(ring.demanded()) << "a service that has had keys never answers without one";
 }
 
+TEST_F(StoreTest, ARingMayDemandKeysWhereThereNeverWasOne) {
+  const KeyRing open(*store), closed(*store, {}, 5ms, true);
+  EXPECT_TRUE(open.known());
+  EXPECT_FALSE(open.demanded());
+  EXPECT_TRUE(closed.known());
+  EXPECT_TRUE(closed.demanded());
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

@@ -1,6 +1,8 @@
 #include "server/store/store_url.hpp"
 
-#include <gtest/gtest.h>
+#include <fstream>
+
+#include "fixture.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -15,6 +17,18 @@ TEST(StoreUrl, IsPrintedWithoutPasswords) {
             "postgres://h/d?sslmode=require");
   EXPECT_EQ(without_secrets("postgres://h/d?sslmode=require&password=x"), "postgres://h/d?sslmode=require");
   EXPECT_EQ(without_secrets("postgres:///?host=/run&user=me&password=x"), "postgres:///?host=/run&user=me");
+}
+
+TEST(StoreUrl, TakesThePasswordFromTheFirstLineOfAFile) {
+  const TempFolder folder;
+  const std::string file = (folder.path / "password").string();
+  std::ofstream(file) << "p@ss wörd\nmore\n";
+  const std::string url = with_password("postgresql://me@host/db?sslmode=require", file);
+  EXPECT_EQ(url, "postgresql://me@host/db?sslmode=require&password=%70%40%73%73%20%77%C3%B6%72%64");
+  EXPECT_EQ(without_secrets(url), "postgresql://me@host/db?sslmode=require");
+  EXPECT_EQ(without_secrets(with_password("postgresql://me@host/db", file)), "postgresql://me@host/db");
+  EXPECT_THROW(with_password("sqlite:a.db", file), StoreError);
+  EXPECT_THROW(with_password("postgresql://me@host/db", file + "2"), StoreError);
 }
 
 TEST(StoreUrl, NamesItsStore) {

@@ -36,6 +36,25 @@ TYPED_TEST(Looks, PagesFromTheNewest) {
   EXPECT_TRUE(store->list(odd).empty());
 }
 
+TYPED_TEST(Looks, TellsWhichJobsRunWithTheirRevisions) {
+  auto& store = this->here;
+  const std::string first = insert_id(*store), second = insert_id(*store);
+  EXPECT_TRUE(store->running().empty());
+  const auto job = claim(*store, 1);
+  ASSERT_TRUE(job);
+  auto running = this->other->running();
+  ASSERT_EQ(running.size(), 1U);
+  EXPECT_EQ(running[0].id, first);
+  EXPECT_EQ(running[0].revision, job->revision);
+  std::promise<void> kept;
+  store->progress({{job->id, job->token}, 0.5, "stage", "", job->revision + 7}, [&] { kept.set_value(); });
+  kept.get_future().wait();
+  running = this->other->running();
+  ASSERT_EQ(running.size(), 1U);
+  EXPECT_EQ(running[0].revision, this->other->get(first, false)->revision);
+  EXPECT_EQ(running[0].revision, job->revision + 7);
+}
+
 TYPED_TEST(Looks, OpensTextsInPiecesThatAreGoneWithTheirJob) {
   auto& store = this->here;
   std::string long_text = "{\"n\":[";

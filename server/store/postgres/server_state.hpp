@@ -1,0 +1,41 @@
+#pragma once
+/// What a process knows of its PostgreSQL server: whether it answers, since when, and when to connect again. Shared by
+/// all connections of the process; its methods may be called from any thread.
+#include <chrono>
+#include <mutex>
+#include <random>
+#include <string>
+
+#include "server/store/values.hpp"
+
+namespace bahnwerk::server {
+
+/// Returns how long to wait before the next attempt to connect after so many failures: up to 0.1 s after the first and
+/// 10 s after many, drawn evenly, so that processes do not come back together. `share` is from 0 to 1.
+std::chrono::milliseconds reconnection_delay(int failures, double share);
+
+class PostgresServerState {
+ public:
+  StoreState now() const;
+  /// Has to be called before a connection is made. While the server is away, throws StoreAway until the delay has
+  /// passed, and while another thread tries.
+  void begin_attempt();
+  void connected(bool read_only);       ///< a connection was made
+  void failed(const std::string& why);  ///< none could be made; logged once a second at most
+  void read_only(bool value);           ///< the server has said so over a connection
+  void lost();                          ///< a connection was lost
+
+  /// Returns how long no connection has been lost: what other processes hear of this one may be older otherwise.
+  std::chrono::milliseconds unbroken() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void enter(StoreState state);
+  mutable std::mutex mutex_;
+  StoreState state_ = StoreState::away;
+  int failures_ = 0;
+  Clock::time_point next_attempt_{}, logged_{}, unbroken_since_ = Clock::now();
+  std::minstd_rand random_{std::random_device{}()};
+};
+
+}  // namespace bahnwerk::server
