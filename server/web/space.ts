@@ -21,6 +21,7 @@ class ThreeCanvas implements SpaceCanvas {
   private readonly light = new DirectionalLight(0xffffff, 0.7);
   private readonly still = new Group();
   private readonly tool = new Group();
+  private readonly coarse = new Group();
   private size: Size = { width: 1, height: 1 };
   private path: SpaceLines[] = []; // rapids, then cuts
   private wires: { lines: SpaceLines; radius: number }[] = [];
@@ -34,7 +35,7 @@ class ThreeCanvas implements SpaceCanvas {
   constructor(readonly element: HTMLCanvasElement, context: WebGLRenderingContext) {
     this.renderer = new WebGLRenderer({ canvas: element, context, antialias: true, alpha: true });
     this.renderer.setClearColor(0, 0);
-    this.scene.add(new AmbientLight(0xffffff, 0.55), this.light, this.still, this.tool);
+    this.scene.add(new AmbientLight(0xffffff, 0.55), this.light, this.still, this.tool, this.coarse);
   }
   resize(size: Size, density: number): void {
     this.size = size;
@@ -77,11 +78,12 @@ class ThreeCanvas implements SpaceCanvas {
     this.bodiesShown = shown;
   }
   setTool(place: ToolPlace, laid: boolean): boolean {
-    const changes = laid || this.laid || this.wires.length > 0 || this.tool.children.length > 0;
+    const changes = laid || this.laid || this.wires.length > 0 || this.tool.children.length > 0 || this.coarse.children.length > 0;
     this.place = place;
     this.laid = laid;
     if (place) {
       this.tool.position.set(...place.place);
+      if (place.coarse) this.coarse.position.set(...place.coarse);
       const rad = Math.PI / 180;
       if (Number.isFinite(place.phi)) this.tool.rotation.set(0, place.psi * rad, place.phi * rad, "ZYX");
     }
@@ -104,6 +106,7 @@ class ThreeCanvas implements SpaceCanvas {
     this.still.visible = this.bodiesShown;
     // A needle whose direction is not known yet is not drawn.
     this.tool.visible = this.bodiesShown && this.place !== null && (Number.isFinite(this.place.phi) || !this.turns());
+    this.coarse.visible = this.bodiesShown && !!this.place?.coarse;
     let count = 0;
     for (const lines of this.path) {
       lines.setMoving(moving);
@@ -134,6 +137,7 @@ class ThreeCanvas implements SpaceCanvas {
     if (!scheme || !this.bodies) return;
     this.still.remove(...this.still.children.slice());
     this.tool.remove(...this.tool.children.slice());
+    this.coarse.remove(...this.coarse.children.slice());
     for (const { lines } of this.wires) lines.dispose();
     this.wires = [];
     const colours = { solid: scheme.other, edge: scheme.other, moving: scheme.distinct[0]! }, copper = new Color(scheme.distinct[1]!);
@@ -152,6 +156,8 @@ class ThreeCanvas implements SpaceCanvas {
         this.still.add(bodyObject(body, colours));
       } else if (body.moves === "tool") {
         this.tool.add(bodyObject(body, colours));
+      } else if (body.moves === "coarse") {
+        this.coarse.add(bodyObject(body, colours));
       }
     }
   }

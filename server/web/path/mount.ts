@@ -370,25 +370,25 @@ class PathPanel {
     const playing = this.player.clock.playing, rate = this.player.clock.by === "line" ? 1 / this.job.cycle : this.player.clock.rate;
     const slice = playing ? this.slices.at(row, rate) : this.slices.peek(row);
     const marks: Mark[] = [];
-    let place: [number, number, number] | null = null;
+    let place: [number, number, number] | null = null, coarse: [number, number, number] | null = null;
     if (slice && valuesAt(slice, row, this.values)) {
       const [x, y, z] = ["x", "y", "z"].map((name) => this.value(name) ?? 0);
       place = [x!, y!, z!];
       const xc = this.value("xc"), yc = this.value("yc");
-      if (xc !== undefined && yc !== undefined) marks.push({ place: [xc, yc, this.value("zc") ?? z!], shape: "coarse" });
+      if (xc !== undefined && yc !== undefined) marks.push({ place: (coarse = [xc, yc, this.value("zc") ?? z!]), shape: "coarse" });
     } else {
       this.values.fill(NaN);
       place = placeAt(path, row);
     }
     if (place) marks.push({ place, shape: "tool" });
     this.picture.setMarks(marks, this.job.view.get().locked);
-    this.tool(place, row);
+    this.tool(place, row, coarse);
   }
-  private tool(place: [number, number, number] | null, row: number | null): void {
+  private tool(place: [number, number, number] | null, row: number | null, coarse: [number, number, number] | null = null): void {
     if (!this.canvas) return;
     const phi = this.value("phi"), psi = this.value("psi");
     const turned = phi !== undefined && Number.isFinite(phi);
-    const changes = this.canvas.setTool(place && row !== null ? { place, phi: turned ? phi : NaN, psi: turned ? psi! : NaN, row, time: row * this.job.cycle } : null, this.laid);
+    const changes = this.canvas.setTool(place && row !== null ? { place, coarse, phi: turned ? phi : NaN, psi: turned ? psi! : NaN, row, time: row * this.job.cycle } : null, this.laid);
     if (changes) this.picture.showSpace();
   }
   private read(row: number | null): void {

@@ -55,7 +55,7 @@ export function polylineGeometry(points: readonly Point[]): BufferGeometry {
 
 /** Returns a body other than a wire as an object. Bodies through which the path leads are translucent. */
 export function bodyObject(body: Body, colours: BodyColours): Object3D {
-  const moves = body.moves !== "none", frame = frameOf(body);
+  const moves = body.moves === "tool", frame = frameOf(body);
   const translucent = !moves;
   const surface = (opacity: number): Material =>
     new MeshLambertMaterial({
