@@ -11,9 +11,9 @@
 namespace bahnwerk::cam {
 
 /// Returns the basis with pieces halved at which the jerk of the law changes by more than a tenth of its peak, inside
-/// or at an end, as far as published coefficients can tell the shorter pieces' derivatives from rounding, and to a
-/// thousandth of the section where no jerk is limited: it would grow without end. The same number of pieces if there
-/// are none.
+/// or at an end, as far as published coefficients can tell the shorter pieces' derivatives from rounding, acceleration
+/// to 1e-10 of its peak, and to a thousandth of the section where no jerk is limited: it would grow without end. The
+/// same number of pieces if there are none.
 LawBasis halve_at_changes(const LawTask& task, const LawBasis& basis, const SplineResult& spline);
 
 }  // namespace bahnwerk::cam

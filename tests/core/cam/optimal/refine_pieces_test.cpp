@@ -15,6 +15,7 @@ TEST(RefinePieces, OnlyPiecesAtWhichTheJerkChangesAreHalved) {
   const LawBasis basis(3, {{0, 0.25, 0.5, 0.75, 1}});
   SplineResult spline;
   spline.breaks = {0, 1};
+  spline.peaks[2] = 6;
   spline.coefficients = {0, 0, 0, 6, 6, 6, 6};
   EXPECT_EQ(halve_at_changes(task, basis, spline).size(), basis.size());
   spline.coefficients[6] = -6;
@@ -27,6 +28,7 @@ TEST(RefinePieces, PiecesAreNotHalvedBelowWhatCoefficientsCanTell) {
   LawBasis basis(3, {halves});
   SplineResult spline;
   spline.breaks = {0, 1};
+  spline.peaks[2] = 6;
   for (int round = 0; round < 60; ++round) {
     spline.coefficients.assign(basis.size(), 0);
     spline.coefficients.back() = 6;
@@ -34,7 +36,7 @@ TEST(RefinePieces, PiecesAreNotHalvedBelowWhatCoefficientsCanTell) {
   }
   const SectionBasis& own = basis.section(0);
   EXPECT_LT(own.pieces(), 40u);
-  EXPECT_LE(published_rounding(task, 3, own.length(own.pieces() - 1), 2), 1e-6 * LawTask::usual_peaks[2]);
+  EXPECT_LE(published_rounding(task, 3, own.length(own.pieces() - 1), 2), 1e-10 * spline.peaks[2]);
 }
 
 }  // namespace
