@@ -119,6 +119,8 @@ class Thinning {
       l.last = point;
       return keep(level);
     }
+    // A chord is of one mode: that of the row at its end.
+    if (l.last.vertex.cut != point.vertex.cut && l.last.vertex.row != l.anchor_row) keep(level);
     if (!l.fan.take(point.at)) {
       keep(level);
       l.fan.take(point.at);

@@ -105,6 +105,24 @@ void expect_held(const Series& series, const ChosenPath& path, std::size_t first
   }
 }
 
+/// A rapid move in line with the cuts before and behind it keeps its ends in every level.
+TEST(PathLevels, AChordIsOfOneMode) {
+  Series series(0, false, 1);
+  series.columns.push_back({"mode", "1"});
+  series.count = 300;
+  const auto cut = [](std::size_t row) { return row < 100 || row >= 200; };
+  for (std::size_t k = 0; k < series.count; ++k)
+    series.values.insert(series.values.end(),
+                         {static_cast<double>(k / 100), 0.1 * static_cast<double>(k), 0, 1, cut(k) ? 1.0 : 0.0});
+  const Parts parts = stored(series);
+  const StoredPath path(reader(parts), "tool");
+  for (std::size_t level = 0; level < path_tolerances.size(); ++level)
+    for (const auto& run : path.read(level, 0, series.count, std::nullopt))
+      for (std::size_t i = 1; i < run.size(); ++i)
+        for (std::size_t k = run[i - 1].row + 1; k <= run[i].row; ++k)
+          EXPECT_EQ(run[i].cut, cut(k)) << level << ' ' << k;
+}
+
 TEST(PathLevels, RowsAreWithinTheToleranceAtRandomZooms) {
   std::mt19937 random(7);
   for (const std::size_t count : {1U, 2U, 63U, 64U, 65U, 1000U, 30000U})
