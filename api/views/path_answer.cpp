@@ -56,12 +56,22 @@ std::size_t size_of(const std::vector<StoredPath::Run>& runs) {
   return count;
 }
 
-StoredPath::Run thinned_run(const StoredPath::Run& run, double tolerance, bool planar) {
+/// Returns the number of chords before one of another mode.
+std::size_t mode_changes(const std::vector<StoredPath::Run>& runs) {
+  std::size_t count = 0;
+  for (const auto& run : runs)
+    for (std::size_t i = 2; i < run.size(); ++i) count += run[i].cut != run[i - 1].cut;
+  return count;
+}
+
+/// `modes`: whether each chord is of one mode, that of its end.
+StoredPath::Run thinned_run(const StoredPath::Run& run, double tolerance, bool planar, bool modes) {
   StoredPath::Run out{run.front()};
   ChordFan fan(tolerance, planar);
   fan.begin(at(run.front()));
   for (std::size_t i = 1; i < run.size(); ++i) {
-    if (fan.take(at(run[i]))) continue;
+    const bool changes = modes && i > 1 && run[i].cut != run[i - 1].cut && out.back().row != run[i - 1].row;
+    if (!changes && fan.take(at(run[i]))) continue;
     out.push_back(run[i - 1]);
     fan.begin(at(run[i - 1]));
     fan.take(at(run[i]));
@@ -70,9 +80,10 @@ StoredPath::Run thinned_run(const StoredPath::Run& run, double tolerance, bool p
   return out;
 }
 
-std::vector<StoredPath::Run> thinned_runs(const std::vector<StoredPath::Run>& runs, double tolerance, bool planar) {
+std::vector<StoredPath::Run> thinned_runs(const std::vector<StoredPath::Run>& runs, double tolerance, bool planar,
+                                          bool modes) {
   std::vector<StoredPath::Run> out;
-  for (const auto& run : runs) out.push_back(thinned_run(run, tolerance, planar));
+  for (const auto& run : runs) out.push_back(thinned_run(run, tolerance, planar, modes));
   return out;
 }
 
@@ -112,7 +123,7 @@ std::vector<StoredPath::Run> from_rows(const std::vector<StoredPath::Run>& runs,
         if (line.empty()) {
           line.push_back(vertex);
           fan.begin(at);
-        } else if (!fan.take(at)) {
+        } else if ((vertex.cut != last.cut && last.row != line.back().row) || !fan.take(at)) {
           line.push_back(last);
           fan.begin(last_at);
           fan.take(at);
@@ -195,13 +206,15 @@ ChosenPath choose_path(const StoredPath& path, const PathQuery& query, const Pat
   chosen.runs = runs;
   chosen.tolerance = stored;
   if (query.tolerance && *query.tolerance > stored) {
-    chosen.runs = thinned_runs(runs, *query.tolerance - stored, planar);
+    chosen.runs = thinned_runs(runs, *query.tolerance - stored, planar, true);
     chosen.tolerance = *query.tolerance;
   }
   // A run keeps its ends: where there are many runs, more vertices stay than were asked for.
   const std::size_t most = query.points ? std::max(*query.points, 2 * runs.size()) : size_of(runs);
+  // Where few vertices are asked for, there is no room for both ends of each rapid move.
+  const bool modes = 2 * (mode_changes(runs) + runs.size()) <= most / 2;
   for (double more = std::max(stored / 4, 1e-4); size_of(chosen.runs) > most; more *= 1.2) {
-    chosen.runs = thinned_runs(runs, more, planar);
+    chosen.runs = thinned_runs(runs, more, planar, modes);
     chosen.tolerance = stored + more;
   }
   chosen.tolerance += rounding(chosen.runs);
