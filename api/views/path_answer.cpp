@@ -10,7 +10,7 @@
 #include "api/setpoints/setpoints.hpp"
 #include "api/text/query_values.hpp"
 #include "api/views/bytes.hpp"
-#include "core/geometry/curve/chord_fan.hpp"
+#include "api/views/open_chord.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -64,19 +64,12 @@ std::size_t mode_changes(const std::vector<StoredPath::Run>& runs) {
   return count;
 }
 
-/// `modes`: whether each chord is of one mode, that of its end.
 StoredPath::Run thinned_run(const StoredPath::Run& run, double tolerance, bool planar, bool modes) {
-  StoredPath::Run out{run.front()};
-  ChordFan fan(tolerance, planar);
-  fan.begin(at(run.front()));
-  for (std::size_t i = 1; i < run.size(); ++i) {
-    const bool changes = modes && i > 1 && run[i].cut != run[i - 1].cut && out.back().row != run[i - 1].row;
-    if (!changes && fan.take(at(run[i]))) continue;
-    out.push_back(run[i - 1]);
-    fan.begin(at(run[i - 1]));
-    fan.take(at(run[i]));
-  }
-  if (run.size() > 1) out.push_back(run.back());
+  StoredPath::Run out;
+  OpenChord chord(tolerance, planar, modes);
+  for (const PathVertex& each : run)
+    if (const auto vertex = chord.take({each, at(each)})) out.push_back(vertex->vertex);
+  if (const auto vertex = chord.finish()) out.push_back(vertex->vertex);
   return out;
 }
 
@@ -112,29 +105,19 @@ std::vector<StoredPath::Run> from_rows(const std::vector<StoredPath::Run>& runs,
     const auto [from, to] = span_of(run, first, end);
     if (to <= from) continue;
     StoredPath::Run& line = out.emplace_back();
-    ChordFan fan(tolerance, planar);
-    PathVertex last;
-    Vec last_at, at;
+    OpenChord chord(tolerance, planar);
+    Vec at;
     for (std::size_t k = from; k < to; k += rows_at_once) {
       const std::size_t part = std::min(rows_at_once, to - k);
       rows.read(k, part, values);
       for (std::size_t i = 0; i < part; ++i) {
-        const PathVertex vertex = rows.vertex(k + i, values.data() + i * rows.width, at);
-        if (line.empty()) {
-          line.push_back(vertex);
-          fan.begin(at);
-        } else if ((vertex.cut != last.cut && last.row != line.back().row) || !fan.take(at)) {
-          line.push_back(last);
-          fan.begin(last_at);
-          fan.take(at);
-        }
-        last = vertex;
-        last_at = at;
+        const PathVertex row = rows.vertex(k + i, values.data() + i * rows.width, at);
+        if (const auto vertex = chord.take({row, at})) line.push_back(vertex->vertex);
       }
       if (count + line.size() > most_vertices)
         refuse_parameter("tolerance", "needs more than 2000000 vertices: widen it, or narrow the box or the rows");
     }
-    if (line.back().row != last.row) line.push_back(last);
+    if (const auto vertex = chord.finish()) line.push_back(vertex->vertex);
     count += line.size();
   }
   return out;

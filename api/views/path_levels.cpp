@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "api/views/bytes.hpp"
+#include "api/views/open_chord.hpp"
 #include "core/base/read_rows.hpp"
-#include "core/geometry/curve/chord_fan.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -86,60 +86,32 @@ class Thinning {
     double finer = 0;
     for (const double tolerance : path_tolerances) {
       // Coordinates are rounded to single precision after the choice: the rounding is not part of the tolerance.
-      levels_.push_back({ChordFan(tolerance - finer, dimension_ == 2), {}, {}, false});
+      levels_.emplace_back(tolerance - finer, dimension_ == 2);
       finer = tolerance;
     }
   }
   void add(const PathVertex& row, Vec at) { take(0, {row, at}); }
   void finish() {
-    for (std::size_t level = 0; level < levels_.size(); ++level) {
-      Level& l = levels_[level];
-      if (l.begun && l.last.vertex.row != l.anchor_row) keep(level);
-    }
+    for (std::size_t level = 0; level < levels_.size(); ++level)
+      if (const auto vertex = levels_[level].finish()) keep(level, *vertex);
     writer_.finish();
   }
 
  private:
-  struct Point {
-    PathVertex vertex;
-    Vec at;
-  };
-  struct Level {
-    ChordFan fan;
-    Point last;                    // the last point taken: end of the open chord
-    std::uint32_t anchor_row = 0;  // begin of the open chord
-    bool begun = false;
-  };
+  using Point = OpenChord::Point;
 
   void take(std::size_t level, const Point& point) {
     if (level == levels_.size()) return;
-    Level& l = levels_[level];
-    if (!l.begun) {
-      l.begun = true;
-      l.last = point;
-      return keep(level);
-    }
-    // A chord is of one mode: that of the row at its end.
-    if (l.last.vertex.cut != point.vertex.cut && l.last.vertex.row != l.anchor_row) keep(level);
-    if (!l.fan.take(point.at)) {
-      keep(level);
-      l.fan.take(point.at);
-    }
-    l.last = point;
+    if (const auto vertex = levels_[level].take(point)) keep(level, *vertex);
   }
-  /// Makes the last point of a level a vertex.
-  void keep(std::size_t level) {
-    Level& l = levels_[level];
-    const Point vertex = l.last;
-    l.fan.begin(vertex.at);
-    l.anchor_row = vertex.vertex.row;
+  void keep(std::size_t level, const Point& vertex) {
     writer_.add(level, vertex.vertex);
     take(level + 1, vertex);
   }
 
   std::size_t dimension_;
   ChunkWriter writer_;
-  std::vector<Level> levels_;
+  std::vector<OpenChord> levels_;
 };
 
 class PathView final : public View {

@@ -25,8 +25,7 @@ PathClearance path_clearance(const WindingRequest& request, const std::vector<wi
 inline constexpr std::size_t most_clearance_intervals = 2000;
 
 /// Returns the curve with at most most_clearance_intervals intervals: equal parts of the parameters of pieces, or rows
-/// of pieces where there are many. `tool` is the path made of the pieces. Reports fractions 0
-/// to 1.
+/// of pieces where there are many. `tool` is the path made of the pieces. Reports fractions from 0 to 1.
 ClearanceCurve clearance_curve(const WindingRequest& request, const std::vector<winding::FixedPiece>& support,
                                const winding::NeedlePath& path, const Path& tool, Progress& progress);
 
