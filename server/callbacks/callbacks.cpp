@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "server/http/http_client.hpp"
+#include "server/runtime/jitter.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/sha256.hpp"
 #include "server/store/failure.hpp"
@@ -16,11 +16,6 @@ namespace {
 constexpr std::chrono::milliseconds longest_sleep{10'000};  ///< the system's clock may be set meanwhile
 constexpr std::chrono::milliseconds retry_store{1'000};     ///< after the store failed
 constexpr unsigned most_per_receiver = 2;
-
-double random_share() {
-  thread_local std::minstd_rand random{std::random_device{}()};
-  return std::uniform_real_distribution<double>(0, 1)(random);
-}
 
 }  // namespace
 

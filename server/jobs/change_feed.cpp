@@ -1,7 +1,6 @@
 #include "server/jobs/change_feed.hpp"
 
-#include <random>
-
+#include "server/runtime/jitter.hpp"
 #include "server/store/failure.hpp"
 
 namespace bahnwerk::server {
@@ -18,9 +17,7 @@ ChangeFeed::ChangeFeed(ChangeSource& source, Hooks hooks, std::chrono::milliseco
   begin();
   thread_.emplace([this] {
     ask();
-    thread_local std::minstd_rand random{std::random_device{}()};
-    return interval_ / 2 + std::chrono::milliseconds(std::uniform_int_distribution<std::chrono::milliseconds::rep>(
-                               0, interval_.count())(random));
+    return jittered(interval_);
   });
   source_.listen_to_others([this] { thread_->notify(); });
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// The jobs that run, with the revisions of their progress that clients may see: where processes share the store, those
-/// of all of them, as they are stored, else those of this process, as they are now.
+/// The jobs that run, with the revisions of their progress that clients may see. Where processes share the store, these
+/// are the stored jobs of all processes; else they are the jobs of this process, as they are now.
 #include <mutex>
 #include <optional>
 #include <vector>

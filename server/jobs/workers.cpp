@@ -1,7 +1,6 @@
 #include "server/jobs/workers.hpp"
 
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
@@ -108,8 +107,7 @@ void Workers::loop() {
     } catch (const std::exception& error) {
       log_failure("claim_failed", error);
       // Workers of many processes must not come back together.
-      thread_local std::minstd_rand random{std::random_device{}()};
-      sleep(std::chrono::milliseconds(std::uniform_int_distribution<int>(500, 1500)(random)));
+      sleep(jittered(std::chrono::seconds(1)));
       continue;
     }
     if (job) {

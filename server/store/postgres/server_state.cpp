@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/runtime/jitter.hpp"
 #include "server/runtime/log.hpp"
 
 namespace bahnwerk::server {
@@ -52,7 +53,7 @@ void PostgresServerState::failed(const std::string& why) {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   ++failures_;
-  next_attempt_ = now + reconnection_delay(failures_, std::uniform_real_distribution<double>(0, 1)(random_));
+  next_attempt_ = now + reconnection_delay(failures_, random_share());
   unbroken_since_ = now;
   state_ = StoreState::away;
   if (logged_ != Clock::time_point{} && now < logged_ + between_lines) return;

@@ -3,7 +3,6 @@
 /// all connections of the process; its methods may be called from any thread.
 #include <chrono>
 #include <mutex>
-#include <random>
 #include <string>
 
 #include "server/store/values.hpp"
@@ -35,7 +34,6 @@ class PostgresServerState {
   StoreState state_ = StoreState::away;
   int failures_ = 0;
   Clock::time_point next_attempt_{}, logged_{}, unbroken_since_ = Clock::now();
-  std::minstd_rand random_{std::random_device{}()};
 };
 
 }  // namespace bahnwerk::server

@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr milliseconds between_signals{20};
-constexpr milliseconds between_attempts{100};      ///< of which the server's state lets pass what is due
+constexpr milliseconds between_attempts{100};      ///< the server's state refuses those that are not due
 constexpr std::chrono::seconds between_looks{30};  ///< at the end of the process; nothing else is missed meanwhile
 
 void wake_up(int descriptor) {
