@@ -9,8 +9,8 @@ namespace bahnwerk::server {
 
 /// Returns the tag, quotes included, of an answer with these bytes.
 std::string etag_of(std::string_view bytes);
-/// Tells whether a list of tags contains `etag` or is "*"; a weak one counts only where the comparison is weak.
 enum class Comparison { strong, weak };
+/// Tells whether a list of tags contains `etag` or is "*"; a weak one counts only where the comparison is weak.
 bool names_etag(std::string_view tags, const std::string& etag, Comparison comparison);
 bool matches_etag(const Request& request, const std::string& etag);  ///< tells whether If-None-Match names the tag
 /// Answers 304 when If-None-Match names `etag`, else `response` with it.

@@ -22,6 +22,7 @@ class AnyJobWait : public std::enable_shared_from_this<AnyJobWait> {
   void look();  ///< to be called on the pool
 
  private:
+  std::function<void()> look_again();      ///< returns the call that looks on a thread of the pool
   bool changed(std::uint64_t seen) const;  ///< tells whether there were changes, or that cannot be read any more
   Context& context_;
   Pool& pool_;

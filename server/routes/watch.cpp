@@ -46,6 +46,10 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
     return progressed ? std::min(until, progress_from) : until;
   }
 
+  /// Returns the call that looks on a thread of the pool.
+  std::function<void()> look_again() {
+    return [self = shared_from_this()] { self->context.pool.post([self] { self->look(); }); };
+  }
   /// Tells whether the job has changed since it was read, or cannot be read any more.
   bool missed(const api::Job& job) const {
     try {
@@ -65,20 +69,18 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
         response.set("Preference-Applied", "wait=" + std::to_string(wait));
         return reply(std::move(response));
       }
-      const auto again = [self = shared_from_this()] { self->context.pool.post([self] { self->look(); }); };
       if (request->listen && !std::exchange(listening, true)) {
         request->listen([weak = weak_from_this()] {
           if (const auto alive = weak.lock()) alive->finish();
         });
       }
-      token =
-          context.notifier.wait(id, next_look(job), again, any_change ? std::optional(progress_from) : std::nullopt);
+      token = context.notifier.wait(id, next_look(job), look_again(),
+                                    any_change ? std::optional(progress_from) : std::nullopt);
       // A change between the query and the wait would be missed.
       if (finished || missed(job)) context.notifier.wake(token);
     } catch (const StoreError& error) {
       if (!error.busy || over()) return reply(answer_from_current_exception(*request));
-      const auto again = [self = shared_from_this()] { self->context.pool.post([self] { self->look(); }); };
-      token = context.notifier.wait("", std::min(until, context.time.now() + store_retry), again);
+      token = context.notifier.wait("", std::min(until, context.time.now() + store_retry), look_again());
       if (finished) context.notifier.wake(token);
     } catch (...) {
       reply(answer_from_current_exception(*request));
