@@ -1,10 +1,11 @@
 /** The path of a plan, in the plane or in space, with its playback and its program. */
-import { ask, getJson } from "../base/api";
+import { getColumns, getJson } from "../base/api";
 import { append, fill, h } from "../base/dom";
 import { duration, fixed, number } from "../base/numbers";
 import type { Limit, PlannedJob } from "../base/planned_job";
 import { limitColours } from "../base/limit_colours";
 import { keepInAddress, readAddress } from "../base/view";
+import { Delay, working } from "../base/work";
 import type { ColourBy } from "./colours";
 import { fillLegend } from "./legend";
 import type { Mark } from "./layer";
@@ -49,9 +50,9 @@ class PathPanel {
   private canvas: SpaceCanvas | null = null;
   private laid = false;
   private mine = -1; // row that this panel has told the others last
-  private rest = 0;
+  private readonly rest = new Delay(restAfter);
   private skipped = 0; // looks at the playback without its line
-  private address = 0;
+  private readonly address = new Delay(addressAfter);
 
   constructor(section: HTMLElement, private readonly job: PlannedJob) {
     const lines = job.kind === "contour", state = readAddress();
@@ -65,11 +66,8 @@ class PathPanel {
     this.moving = ["x", "y", "z", "xc", "yc", "zc", "phi", "psi", "v"].filter((name) => job.columns.includes(name));
     this.values = new Float64Array(this.moving.length);
     this.slices = new Slices(job.rows, async (first, every, count, signal): Promise<Slice> => {
-      const response = await ask(
-        `/v1/jobs/${job.id}/setpoints?first=${first}&every=${every}&count=${count}&columns=${this.moving.join(",")}&format=f32`,
-        { headers: { Accept: "application/octet-stream" }, signal },
-      );
-      const values = new Float32Array(await response.arrayBuffer()), names = (response.headers.get("X-Columns") ?? "").split(",");
+      const query = `first=${first}&every=${every}&count=${count}&columns=${this.moving.join(",")}&format=f32`;
+      const { names, data: values } = await getColumns(`/v1/jobs/${job.id}/setpoints?${query}`, signal);
       return { first, every, count: Math.floor(values.length / names.length), values, names };
     });
     this.program = lines
@@ -245,7 +243,7 @@ class PathPanel {
   }
   private async makeSpace(): Promise<SpaceCanvas | null> {
     try {
-      const module = (await import(new URL("./space.js", import.meta.url).href)) as { makeSpace(): SpaceCanvas | null };
+      const module = (await working(import(new URL("./space.js", import.meta.url).href))) as { makeSpace(): SpaceCanvas | null };
       const canvas = module.makeSpace();
       if (canvas && this.hasScene())
         this.job.scene().then(
@@ -345,8 +343,8 @@ class PathPanel {
     // A cursor that hovers costs no request.
     if (row !== null && locked) this.program?.at(row);
     this.list?.show(row, locked);
-    window.clearTimeout(this.rest);
-    if (row !== null && locked) this.rest = window.setTimeout(() => void this.exact(row), restAfter);
+    if (row !== null && locked) this.rest.start(() => void this.exact(row));
+    else this.rest.cancel();
   }
   /** Asks for the rows around a cursor that rests: their places are exact, and stepping on costs nothing. */
   private async exact(row: number): Promise<void> {
@@ -411,11 +409,10 @@ class PathPanel {
     this.readout.textContent = parts.join(" · ");
   }
   private remember(): void {
-    window.clearTimeout(this.address);
-    this.address = window.setTimeout(() => {
+    this.address.start(() => {
       if (this.picture.inSpace) return;
       const { x, y, scale } = this.picture.plane;
       keepInAddress({ plane: this.picture.isFit() ? null : [x.toFixed(3), y.toFixed(3), scale.toPrecision(5)].join(",") });
-    }, addressAfter);
+    });
   }
 }

@@ -3,6 +3,7 @@ import { styleColour } from "../base/canvas";
 import { countSegments } from "../base/segments";
 import { h } from "../base/dom";
 import { number } from "../base/numbers";
+import { Delay, NextFrame } from "../base/work";
 import { colouring, speedRange, type ColourBy, type Colouring } from "./colours";
 import { drawPath, isEmphasised, isShown, type Shown } from "./drawing";
 import { onGestures } from "./gestures";
@@ -38,9 +39,9 @@ export class Picture {
   private size: Size = { width: 0, height: 0 };
   private density = 1;
   private drawnPlane: { x: number; y: number; scale: number } | null = null;
-  private settle = 0;
-  private fetching = 0;
-  private frame = 0;
+  private readonly settle = new Delay(settleAfter);
+  private readonly fetching = new Delay(fetchAfter);
+  private readonly frame = new NextFrame(() => this.draw());
   private extents: Extents = { low: [0, 0, 0], high: [0, 0, 0] };
   private bodies: Extents | null = null;
   private whole: PathData | null = null;
@@ -141,7 +142,7 @@ export class Picture {
   fit(): void {
     this.move(() => this.fitView());
     this.fitted = true;
-    window.clearTimeout(this.settle);
+    this.settle.cancel();
     this.redraw();
   }
   /** Changes the scale about the middle. */
@@ -175,15 +176,13 @@ export class Picture {
     return this.scheme;
   }
   redraw(): void {
-    cancelAnimationFrame(this.frame);
-    this.frame = requestAnimationFrame(() => this.draw());
+    this.frame.ask();
   }
 
   /** Draws the view in space after something in it has moved. */
   showSpace(): void {
     this.three?.show(this.space, true);
-    window.clearTimeout(this.settle);
-    this.settle = window.setTimeout(() => this.redraw(), settleAfter);
+    this.settle.start(() => this.redraw());
   }
   /** Returns whether all of the path is shown. */
   isFit(): boolean {
@@ -223,10 +222,8 @@ export class Picture {
       this.base.style.transform = `translate(${left}px,${top}px) scale(${k})`;
     }
     this.drawLayer();
-    window.clearTimeout(this.settle);
-    this.settle = window.setTimeout(() => this.redraw(), settleAfter);
-    window.clearTimeout(this.fetching);
-    this.fetching = window.setTimeout(() => void this.refine(), fetchAfter);
+    this.settle.start(() => this.redraw());
+    this.fetching.start(() => void this.refine());
     this.touchAction();
     this.events.moved();
   }
