@@ -8,7 +8,7 @@ import { Envelope } from "./intervals";
 
 const mostPoints = 384; // 32 rows each are read at most: four chunks of 4096
 const mostNumbers = 22_000; // of 4 bytes
-const patience = 90; // ms without a further step before finer data are asked for
+const patience = 90; // ms; a step that follows another one sooner waits for the last of them before finer data are asked for
 const restAfter = 150; // ms that a cursor stays before exact rows are asked for
 const ribbonPoints = 300;
 
@@ -26,6 +26,7 @@ export class ChartData {
   private columns: string[] = [];
   private abort: AbortController | null = null;
   private readonly delay = new Delay(patience);
+  private wanted = -Infinity; // time of the last step, ms
   /** `changed` is called after new numbers have come; `pixels` returns the width of the pictures. */
   constructor(private readonly job: PlannedJob, private readonly pixels: () => number, private readonly changed: () => void) {
     void job.limits().then((answer) => {
@@ -34,11 +35,13 @@ export class ChartData {
     });
   }
 
-  /** Asks for what the shown rows and columns need and is not there, at once or after a moment without another call. */
+  /** Asks for what the shown rows and columns need and is not there: at once for a single step, and after the last one of a row of steps. */
   want(columns: string[], atOnce = false): void {
+    const now = performance.now(), single = now - this.wanted > patience;
+    this.wanted = now;
     this.columns = [...new Set(columns.map(sourceOf))];
     this.delay.cancel();
-    if (atOnce) void this.load();
+    if (atOnce || single) void this.load();
     else this.delay.start(() => void this.load());
   }
 
