@@ -53,19 +53,23 @@ export class Delay {
 
 /** Calls something at the next frame, once, however often it is asked for. */
 export class NextFrame {
-  private asked = false;
+  private frame = 0;
+  private end: (() => void) | null = null;
   constructor(private readonly act: () => void) {}
   ask(): void {
-    if (this.asked) return;
-    this.asked = true;
-    const end = begin();
-    requestAnimationFrame(() => {
-      this.asked = false;
-      try {
-        this.act();
-      } finally {
-        end();
-      }
-    });
+    if (this.end) return;
+    this.end = begin();
+    this.frame = requestAnimationFrame(() => this.now());
+  }
+  /** Calls it now, and not at the next frame. */
+  now(): void {
+    const { end } = this;
+    cancelAnimationFrame(this.frame);
+    this.end = null;
+    try {
+      this.act();
+    } finally {
+      end?.();
+    }
   }
 }
