@@ -58,7 +58,7 @@ for (const [name, document, limit] of [['in the plane', longSheet(), 110], ['in 
     atMost('bytes', bytes, limit * kB, list);
   });
 
-test('a winding of 80 000 rows: few rows are read until all is drawn', { counts: true }, async ({ service, visit }) => {
+test('a winding of 79 000 rows: few rows are read until all is drawn', { counts: true }, async ({ service, visit }) => {
   const { id } = await service.planned(longWinding());
   const rows = await rowsRead(service);
   const page = await opened(visit, `/jobs/${id}`, '#path canvas');

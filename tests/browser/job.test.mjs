@@ -1,14 +1,13 @@
 // The page of a job: what it says at first sight, ribbon and curves, verification, jobs that run or have failed.
-import { assert, colours, example, snake, test } from './support.mjs';
+import { assert, colours, example, lasting, snake, test, yielding } from './support.mjs';
 
 const hash = (page) => Object.fromEntries(new URLSearchParams(new URL(page.page.url()).hash.slice(1)));
-/** Waits until the address carries what `holds` asks for: it is written a moment after the view has changed. */
+/** Returns what the address carries when the page has settled; `holds` says what that must be. */
 async function address(page, holds) {
-  for (;;) {
-    const state = hash(page);
-    if (holds(state)) return state;
-    await page.read('new Promise((done) => setTimeout(done, 50))');
-  }
+  await page.quiet();
+  const state = hash(page);
+  assert.ok(holds(state), `the address carries ${JSON.stringify(state)}, not ${holds}`);
+  return state;
 }
 
 for (const [lang, duration, word] of [['en', /3\.31\d s/, 'good'], ['de', /3,31\d s/, 'gut']])
@@ -134,10 +133,12 @@ test('a slot without setpoints has its verdict and no curves', async ({ service,
   assert.equal(await page.locator('#curves').count(), 0);
 });
 
-test('a running job shows its progress and becomes the planned page without loading again', async ({ own, visit }) => {
-  const service = await own();
-  const { id } = await service.post(snake(2000));
+test('a waiting job shows its place and becomes the planned page without loading again', async ({ own, visit }) => {
+  const service = await own(...yielding);
+  const before = await service.post(lasting()), { id } = await service.post(snake(200));
   const page = await visit(`/jobs/${id}`, { service });
+  await page.locator('#live .times').filter({ hasText: /next/ }).waitFor();
+  await service.ask(`/v1/jobs/${before.id}/cancel`, { method: 'POST' });
   await page.locator('#why .limits').waitFor();
   await page.locator('#curves .chart canvas').first().waitFor();
   assert.equal(page.requests.filter(({ type }) => type === 'Document').length, 1);
@@ -146,9 +147,11 @@ test('a running job shows its progress and becomes the planned page without load
 });
 
 test('a running job is cancelled by its button, and can be planned again', async ({ own, visit }) => {
-  const service = await own('--workers', '1');
-  const { id } = await service.post(snake(40000));
+  const service = await own(...yielding);
+  const { id } = await service.post(lasting());
   const page = await visit(`/jobs/${id}`, { service });
+  await page.locator('#live .stage').filter({ hasText: /\S/ }).waitFor(); // what it does
+  await page.locator('#live progress[value]').waitFor();
   await page.locator('#cancel').click();
   await page.locator('#problem').waitFor();
   assert.equal((await service.job(id)).state, 'cancelled');

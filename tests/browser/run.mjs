@@ -68,9 +68,9 @@ async function runTest({ name, run }, service) {
   console.log(`${failure.stack ?? failure}\n`.replace(/^/gm, '    '));
 }
 
-// As many at a time as there are processors. Those that count at a service run one after another, beside the others; their plans take longest.
+// One more at a time than there are processors, since each waits now and then. Those that count at a service run one after another, beside the others; their plans take longest.
 const counting = chosen.filter(({ counts }) => counts), others = chosen.filter(({ counts }) => !counts);
-const lanes = Math.min(4, availableParallelism?.() ?? cpus().length);
+const lanes = 1 + Math.min(4, availableParallelism?.() ?? cpus().length);
 const lane = async (tests, service) => {
   for (let next; (next = tests.shift()); ) await runTest(next, service);
 };

@@ -1,7 +1,7 @@
 // What a file of tests imports: test() declares one, the rest helps to write it. run.mjs starts the browser and the service, and runs what was declared.
 export { strict as assert } from 'node:assert';
 export { colours } from './png.mjs';
-export { example, longSheet, longWinding, snake, Service } from './service.mjs';
+export { example, lasting, longSheet, longWinding, snake, yielding, Service } from './service.mjs';
 
 export const declared = [];
 

@@ -1,13 +1,13 @@
 // Pages that stay open: many at once, and while the service is away.
-import { assert, snake, test } from './support.mjs';
+import { assert, lasting, snake, test, yielding } from './support.mjs';
 import { settings } from './chromium.mjs';
 
 const refused = { console: [/ERR_(CONNECTION_REFUSED|CONNECTION_RESET|EMPTY_RESPONSE|INCOMPLETE_CHUNKED_ENCODING)/] };
 
 // A browser has six connections to a service for all its tabs.
 test('seven tabs of a running job, and of the list, are all alive', async ({ own, browser, visit }) => {
-  const service = await own('--workers', '1');
-  const { id } = await service.post(snake(60_000));
+  const service = await own(...yielding);
+  const { id } = await service.post(lasting());
   const context = await browser.newContext(settings());
   const tabs = [];
   for (let i = 0; i < 7; ++i) for (const path of [`/jobs/${id}`, '/']) tabs.push(await visit(path, { service, context }));
@@ -37,8 +37,8 @@ test('a list goes on when the service has come back', async ({ own, visit }) => 
 });
 
 test('the page of a job goes on when the service has come back', async ({ own, visit }) => {
-  const service = await own('--workers', '1');
-  const { id } = await service.post(snake(60_000));
+  const service = await own(...yielding);
+  const { id } = await service.post(lasting());
   const page = await visit(`/jobs/${id}`, { service });
   await page.locator('.state.running').first().waitFor();
   page.expect(refused);

@@ -196,8 +196,8 @@ export class Visit {
    *  others. What is shown of a canvas is a matter of pixels(). */
   canvases() {
     return this.read(`[...document.querySelectorAll('canvas:not(.above, .layer)')].filter((each) => each.checkVisibility() && each.width > 1 && each.getContext('2d')).map((each) => {
-      const copy = new OffscreenCanvas(each.width, each.height), pen = copy.getContext('2d', { willReadFrequently: true });
-      pen.drawImage(each, 0, 0);
+      const copy = new OffscreenCanvas(Math.min(each.width, 400), Math.min(each.height, 200)), pen = copy.getContext('2d', { willReadFrequently: true });
+      pen.drawImage(each, 0, 0, copy.width, copy.height);
       let sum = 0, blank = true;
       for (const pixel of new Uint32Array(pen.getImageData(0, 0, copy.width, copy.height).data.buffer)) {
         sum = (Math.imul(sum, 31) + pixel) | 0;

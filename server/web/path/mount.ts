@@ -411,6 +411,7 @@ class PathPanel {
     this.readout.textContent = parts.join(" · ");
   }
   private remember(): void {
+    if (this.picture.isFit() && !("plane" in readAddress())) return this.address.cancel();
     this.address.start(() => {
       if (this.picture.inSpace) return;
       const { x, y, scale } = this.picture.plane;

@@ -151,8 +151,9 @@ export class Picture {
     if (this.three && this.fitted) this.fit();
   }
   fit(): void {
-    this.move(() => this.fitView());
     this.fitted = true;
+    this.fitView();
+    this.after();
     this.rest();
   }
   /** Changes the scale about the middle. */
