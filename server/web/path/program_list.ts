@@ -11,6 +11,8 @@ export class ProgramList {
   private rows: HTMLElement[] = [];
   private shownVisits: unknown = null;
   private current = -1;
+  private inView: [number, number] = [0, -1]; // lines that are in view without scrolling
+  private scrolled = 0; // px to which the list was scrolled for them
   constructor(private readonly program: Program, private readonly seek: (row: number) => void, step: (lines: 1 | -1) => void) {
     this.element = h("aside", { class: "path-program" }, this.title, this.list);
     this.name(t("program"));
@@ -20,6 +22,9 @@ export class ProgramList {
       const visit = this.program.visits[index];
       if (visit) this.seek(visit.first);
     });
+    this.list.addEventListener("scroll", () => {
+      if (Math.abs(this.list.scrollTop - this.scrolled) > 1) this.inView = [0, -1]; // somebody has scrolled it
+    }, { passive: true });
     this.list.addEventListener("keydown", (event) => {
       if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
       event.preventDefault();
@@ -37,8 +42,15 @@ export class ProgramList {
     const line = this.rows[index];
     if (!line) return;
     line.setAttribute("aria-current", "true");
+    if (scroll && (index < this.inView[0] || index > this.inView[1])) this.reveal(line, index);
+  }
+  /** Scrolls a line into the middle. That takes longer than the rest of a frame of the playback, and is not done for each line. */
+  private reveal(line: HTMLElement, index: number): void {
+    const height = this.list.clientHeight, each = Math.max(1, line.offsetHeight), around = Math.max(0, Math.floor(height / 2 / each) - 2);
     // scrollIntoView would move the page, too.
-    if (scroll) this.list.scrollTop = line.offsetTop - this.list.clientHeight / 2 + line.offsetHeight / 2;
+    this.list.scrollTop = line.offsetTop - height / 2 + each / 2;
+    this.scrolled = this.list.scrollTop;
+    this.inView = [index - around, index + around];
   }
   private name(title: string): void {
     this.title.textContent = title;
@@ -51,6 +63,7 @@ export class ProgramList {
     if (first) this.name(t(first.text === null ? "segments" : "program"));
     this.shownVisits = this.program.visits;
     this.current = -1;
+    this.inView = [0, -1];
     this.rows = this.program.visits.map((visit) =>
       h(
         "li", { class: visit.mode === "cut" ? null : "rapid" },
