@@ -55,6 +55,7 @@ class ThreeCanvas implements SpaceCanvas {
     this.elements = [element, this.trail.element];
     this.renderer = new WebGLRenderer({ canvas: element, context, antialias, alpha: true });
     this.renderer.setClearColor(0, 0);
+    this.renderer.debug.checkShaderErrors = false; // to ask for them would wait for the compiler
     this.scene.add(new AmbientLight(0xffffff, 0.55), this.light, this.still, this.tool, this.coarse);
   }
   resize(size: Size, density: number): void {
@@ -212,16 +213,16 @@ function isEmulated(context: WebGLRenderingContext): boolean {
 
 /** Returns a canvas in space; null where the browser has no WebGL. */
 export function makeSpace(): SpaceCanvas | null {
-  for (const antialias of [true, false]) {
-    const canvas = document.createElement("canvas"), context = canvas.getContext("webgl", { antialias, alpha: true });
-    if (!context) return null;
-    // Smooth edges take twice as long as all the rest there.
-    if (antialias && isEmulated(context)) {
-      context.getExtension("WEBGL_lose_context")?.loseContext();
-      continue;
-    }
+  const make = (antialias: boolean): [HTMLCanvasElement, WebGLRenderingContext | null] => {
+    const canvas = document.createElement("canvas");
     canvas.setAttribute("role", "img");
-    return new ThreeCanvas(canvas, context, antialias);
-  }
-  return null;
+    return [canvas, canvas.getContext("webgl", { antialias, alpha: true })];
+  };
+  // Smooth edges take twice as long as all the rest where hardware is emulated.
+  const [plain, context] = make(false);
+  if (!context || isEmulated(context)) return context && new ThreeCanvas(plain, context, false);
+  const [smooth, better] = make(true);
+  if (!better) return new ThreeCanvas(plain, context, false);
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return new ThreeCanvas(smooth, better, true);
 }

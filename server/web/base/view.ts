@@ -61,5 +61,5 @@ export function keepInAddress(values: Record<string, string | null>): void {
   const now = new URLSearchParams(location.hash.slice(1));
   for (const [key, value] of Object.entries(values)) value === null ? now.delete(key) : now.set(key, value);
   const text = now.toString();
-  history.replaceState(null, "", location.pathname + location.search + (text ? "#" + text : ""));
+  if (text !== location.hash.slice(1)) history.replaceState(null, "", location.pathname + location.search + (text ? "#" + text : ""));
 }

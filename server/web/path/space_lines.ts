@@ -75,14 +75,17 @@ export class SpaceLines {
   }
   /** Gives all chords their colours. */
   paint(colourOf: (chord: number) => Color): void {
+    const fill = ({ array }: BufferAttribute, corners: number, k: number, { r, g, b }: Color): void => {
+      for (let at = 3 * corners * k, end = at + 3 * corners; at < end; at += 3) {
+        array[at] = r;
+        array[at + 1] = g;
+        array[at + 2] = b;
+      }
+    };
     for (let k = 0; k < this.count; ++k) {
-      const { r, g, b } = colourOf(k);
-      for (const [{ array }, corners] of [[this.thinColours, 2], [this.thickColours, 4]] as const)
-        for (let at = 3 * corners * k, end = at + 3 * corners; at < end; at += 3) {
-          array[at] = r;
-          array[at + 1] = g;
-          array[at + 2] = b;
-        }
+      const colour = colourOf(k);
+      fill(this.thinColours, 2, k, colour);
+      fill(this.thickColours, 4, k, colour);
     }
     this.thinColours.needsUpdate = this.thickColours.needsUpdate = true;
   }

@@ -106,6 +106,7 @@ declare module "three" {
   }
   export class WebGLRenderer {
     constructor(options: Record<string, unknown>);
+    debug: { checkShaderErrors: boolean };
     setPixelRatio(ratio: number): void;
     setSize(width: number, height: number, style: boolean): void;
     setClearColor(colour: number, alpha: number): void;
