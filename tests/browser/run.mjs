@@ -68,8 +68,10 @@ async function runTest({ name, run }, service) {
   console.log(`${failure.stack ?? failure}\n`.replace(/^/gm, '    '));
 }
 
-// One more at a time than there are processors, since each waits now and then. Those that count at a service run one after another, beside the others; their plans take longest.
-const counting = chosen.filter(({ counts }) => counts), others = chosen.filter(({ counts }) => !counts);
+// One more at a time than there are processors, since each waits now and then; the longest first, so that none is left alone at the end. Those that count at a
+// service run one after another, beside the others.
+const isLong = ({ name }) => /^(pages|tabs):/.test(name), counting = chosen.filter(({ counts }) => counts), rest = chosen.filter(({ counts }) => !counts);
+const others = [...rest.filter(isLong), ...rest.filter((each) => !isLong(each))];
 const lanes = 1 + Math.min(4, availableParallelism?.() ?? cpus().length);
 const lane = async (tests, service) => {
   for (let next; (next = tests.shift()); ) await runTest(next, service);
