@@ -250,7 +250,11 @@ void Workers::run(const api::Job& job) {
     outcome = "succeeded";
     try {
       const auto kept = persist(
-          id, [&] { return store_.succeed(live->attempt(), *planned, time_.now_ms(), live->revision(), progress); },
+          id,
+          [&] {
+            return store_.succeed(
+                live->attempt(), *planned, time_.now_ms(), [&] { return live->revision(); }, progress);
+          },
           [&] { return live->cancel.load(); });
       if (kept == Persisted::given_up) {
         given_up = true;

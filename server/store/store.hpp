@@ -65,9 +65,10 @@ class Store : public ChangeSource {
   virtual bool end(const Attempt& attempt, const Ending& ending) = 0;
   /// Stores the result, all setpoints and their views. Long series are stored piece by piece before the state changes,
   /// so that neither memory nor other writers suffer from their length; `progress` is asked between the pieces and may
-  /// throw Stopped. After a StoreError a further call continues where this one ended.
-  virtual bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, std::uint64_t revision,
-                       Progress& progress) = 0;
+  /// throw Stopped. `seen` is called when all pieces are stored, because clients see that progress, too, and the
+  /// job's revision exceeds it. After a StoreError a further call continues where this one ended.
+  virtual bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
+                       const SeenRevision& seen, Progress& progress) = 0;
   /// Puts a running job back as if the attempt had not been made; a job with a requested cancellation is cancelled
   /// instead.
   virtual bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) = 0;

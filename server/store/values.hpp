@@ -1,6 +1,7 @@
 #pragma once
 /// Values that go into a store and come out of it, independent of its implementation. Times are ms since 1970 UTC.
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -123,6 +124,9 @@ struct SeriesInfo {
   std::optional<PoseFrame> pose_frame = {};
   int views = 0;  ///< version of the stored views; 0: none
 };
+
+/// Returns the newest revision of an attempt's progress that clients may have seen.
+using SeenRevision = std::function<std::uint64_t()>;
 
 struct Progressed {
   Attempt attempt;

@@ -70,7 +70,7 @@ class PostgresStore final : public Store {
   std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
   void progress(Progressed progress, std::function<void()> done) override;
   bool end(const Attempt& attempt, const Ending& ending) override;
-  bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, std::uint64_t revision,
+  bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, const SeenRevision& seen,
                Progress& progress) override;
   bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) override;
   Expired expire(std::int64_t now) override;

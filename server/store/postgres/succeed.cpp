@@ -58,7 +58,7 @@ void PostgresStore::store_piece(Statements& statements, const Attempt& attempt, 
 }
 
 bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
-                            std::uint64_t revision, Progress& progress) {
+                            const SeenRevision& seen, Progress& progress) {
   const SetpointSource* source = planned.setpoints.get();
   const std::string document = pack_text(api::result_text(planned, progress));
   const auto columns = source ? std::optional(series_columns(*source)) : std::nullopt;
@@ -98,7 +98,7 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
   Statements statements;
   store_piece(statements, attempt, piece);
   PostgresParameters values;
-  (values.uuid(attempt.id) << attempt.token).time(now) << static_cast<std::int64_t>(revision);
+  (values.uuid(attempt.id) << attempt.token).time(now) << static_cast<std::int64_t>(seen());
   values.uuid(name).bytes(document) << columns << static_cast<std::int64_t>(source ? source->count() : 0)
                                     << static_cast<std::int64_t>(series_chunk_rows)
                                     << (source ? source->cycle_time() : 0.0)

@@ -31,7 +31,7 @@ void insert_piece(SqliteConnection& connection, std::int64_t seq, const SeriesPi
 }  // namespace
 
 bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
-                          std::uint64_t revision, Progress& progress) {
+                          const SeenRevision& seen, Progress& progress) {
   const std::string& id = attempt.id;
   const SetpointSource* source = planned.setpoints.get();
   const std::string document = pack_text(api::result_text(planned, progress));
@@ -68,6 +68,7 @@ bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned
       if (!stored) return false;
     }
   }
+  const std::uint64_t revision = seen();
   return write_flag(
       [&](SqliteConnection& connection) {
         const auto seq = still_running(connection);

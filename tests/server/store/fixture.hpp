@@ -74,6 +74,7 @@ inline Inserted insert(Store& store, NewJob job) {
   });
   return promise.get_future().get();
 }
+inline std::uint64_t nothing_seen() { return 0; }  ///< for an attempt that has told no progress
 inline std::string insert_id(Store& store, NewJob job = new_job()) { return insert(store, std::move(job)).id; }
 
 /// Many at once, which share commits; their ids in order.

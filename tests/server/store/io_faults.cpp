@@ -51,7 +51,8 @@ struct IoFaults : testing::Test {
       std::optional<api::Job> job;
       if (!told.acknowledged([&] { job = claim(*store, 1); })) continue;  // a worker claims again
       const auto finish = [&] {
-        if (store->succeed({job->id, job->token}, ramp_plan(9000), 2, 0, silent)) told.finished.push_back(job->id);
+        if (store->succeed({job->id, job->token}, ramp_plan(9000), 2, nothing_seen, silent))
+          told.finished.push_back(job->id);
       };
       if (job && !told.acknowledged(finish)) told.acknowledged(finish);
     }

@@ -26,15 +26,33 @@ TYPED_TEST(Attempts, ClaimsByPriorityThenInOrder) {
   EXPECT_FALSE(claim(*store, 1));
 }
 
+/// Progress that clients see at once, with a revision of its own each.
+struct SeenProgress final : Progress {
+  void report(std::string_view, double, std::string_view) override { ++revision; }
+  std::uint64_t revision = 7;
+};
+
+TYPED_TEST(Attempts, AResultComesAfterTheProgressOfStoringIt) {
+  auto& store = this->here;
+  const std::string id = insert_id(*store);
+  claim(*store, 1);
+  SeenProgress progress;
+  const auto seen = [&] { return progress.revision; };
+  ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(100'000), 2, seen, progress));
+  EXPECT_GT(progress.revision, 7U) << "storing tells its progress";
+  EXPECT_GT(store->get(id)->revision, progress.revision) << "who has seen that must learn of the end";
+}
+
 TYPED_TEST(Attempts, TakesAResultOnceAndFromTheRightAttempt) {
   auto& store = this->here;
   const std::string id = insert_id(*store);
-  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 2, 0, this->silent)) << "not running yet";
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 2, nothing_seen, this->silent)) << "not running yet";
   claim(*store, 1);
-  EXPECT_FALSE(store->succeed({id, 2}, ramp_plan(10), 2, 0, this->silent)) << "another attempt";
+  EXPECT_FALSE(store->succeed({id, 2}, ramp_plan(10), 2, nothing_seen, this->silent)) << "another attempt";
   EXPECT_FALSE(store->result(id));
-  EXPECT_TRUE(store->succeed({id, 1}, ramp_plan(10), 2, 40, this->silent));
-  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(99), 3, 0, this->silent)) << "twice";
+  EXPECT_TRUE(store->succeed(
+      {id, 1}, ramp_plan(10), 2, [] { return std::uint64_t{40}; }, this->silent));
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(99), 3, nothing_seen, this->silent)) << "twice";
   EXPECT_FALSE(store->end({id, 1}, {JobState::failed, "{}", 3, 0}));
   EXPECT_FALSE(store->requeue({id, 1}, 3, 0));
   const auto job = store->get(id);
@@ -68,7 +86,7 @@ TYPED_TEST(Attempts, TakesNothingFromAPlannerWhoseJobWasPutBackAndClaimedAgain) 
   const auto again = claim(*this->other, 3, "b", 500);
   EXPECT_EQ(again->attempt, 1) << "the number returns to use";
   const Attempt later{id, again->token};
-  EXPECT_FALSE(store->succeed(stuck, ramp_plan(10), 4, 0, this->silent));
+  EXPECT_FALSE(store->succeed(stuck, ramp_plan(10), 4, nothing_seen, this->silent));
   EXPECT_FALSE(store->end(stuck, {JobState::failed, "{}", 4, 0}));
   EXPECT_FALSE(store->requeue(stuck, 4, 0));
   EXPECT_EQ(store->heartbeat({"b", 4, 600}, {stuck}), std::vector{stuck});
@@ -77,7 +95,7 @@ TYPED_TEST(Attempts, TakesNothingFromAPlannerWhoseJobWasPutBackAndClaimedAgain) 
   stored.get_future().wait();
   EXPECT_EQ(store->get(id)->fraction, 0);
   EXPECT_EQ(store->get(id)->state, JobState::running);
-  EXPECT_TRUE(this->other->succeed(later, ramp_plan(20), 5, 0, this->silent));
+  EXPECT_TRUE(this->other->succeed(later, ramp_plan(20), 5, nothing_seen, this->silent));
   EXPECT_EQ(store->series(id)->count, 20U);
 }
 

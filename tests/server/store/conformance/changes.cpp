@@ -71,7 +71,7 @@ TYPED_TEST(ChangesSince, ShowEveryKindOfChangeOnce) {
   store->requeue({b, 1}, 6, 0);
   expect({{b, JobState::queued}});  // twice, but its last state is what counts
   claim(*store, 7);
-  EXPECT_TRUE(store->succeed({b, 2}, ramp_plan(5000), 8, 0, this->silent));
+  EXPECT_TRUE(store->succeed({b, 2}, ramp_plan(5000), 8, nothing_seen, this->silent));
   expect({{b, JobState::succeeded}});
   EXPECT_EQ(store->remove(b), Removed::yes);
   expect({{b, std::nullopt}});

@@ -25,12 +25,12 @@ TYPED_TEST(Leases, GiveTheJobToAnotherWhenTheyRunOut) {
   EXPECT_EQ(again->attempt, 2);
   EXPECT_EQ(again->started_at, 1500);
   EXPECT_GT(again->revision, revision + 1000) << "clients may have seen revisions that were never stored";
-  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 1600, 0, this->silent)) << "its attempt is over";
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 1600, nothing_seen, this->silent)) << "its attempt is over";
   EXPECT_FALSE(store->end({id, 1}, {JobState::failed, "{}", 1600, 0}));
   EXPECT_FALSE(store->requeue({id, 1}, 1600, 0));
   EXPECT_EQ(store->heartbeat({"a", 1600, 2100}, {{id, 1}}), (std::vector<Attempt>{{id, 1}}));
   EXPECT_EQ(store->get(id)->state, JobState::running);
-  EXPECT_TRUE(this->other->succeed({id, 2}, ramp_plan(10), 1700, 0, this->silent));
+  EXPECT_TRUE(this->other->succeed({id, 2}, ramp_plan(10), 1700, nothing_seen, this->silent));
 }
 
 TYPED_TEST(Leases, AreExtendedByAHeartbeat) {
@@ -102,7 +102,7 @@ TYPED_TEST(Leases, OfSuspectsAreNotSharedWithInnocents) {
   EXPECT_TRUE(store->end({early, 1}, {JobState::failed, "{}", 2100, 0}));
   EXPECT_EQ(claim(*store, 2100, "a", 500)->id, suspect);
   EXPECT_FALSE(claim(*store, 2100, "a", 500)) << "nothing begins beside it";
-  EXPECT_TRUE(store->succeed({suspect, 2}, ramp_plan(10), 2200, 0, this->silent));
+  EXPECT_TRUE(store->succeed({suspect, 2}, ramp_plan(10), 2200, nothing_seen, this->silent));
   EXPECT_TRUE(claim(*store, 2200, "a", 500));
 }
 

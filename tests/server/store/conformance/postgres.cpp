@@ -54,7 +54,7 @@ TEST_F(PostgresOnly, CountsAndAttemptsAgreeWithTheJobs) {
   for (int k = 0; k < 4; ++k) claim(store, 1000, "w" + std::to_string(k), 500);
   const auto jobs = store.list({.state = api::JobState::running, .oldest_first = true});
   ASSERT_EQ(jobs.size(), 4U);
-  EXPECT_TRUE(store.succeed({jobs[0].id, 1}, ramp_plan(10'000), 1100, 0, silent));
+  EXPECT_TRUE(store.succeed({jobs[0].id, 1}, ramp_plan(10'000), 1100, nothing_seen, silent));
   EXPECT_TRUE(store.end({jobs[1].id, 1}, {.error = "{}", .now = 1100, .revision = 3}));
   EXPECT_TRUE(store.requeue({jobs[2].id, 1}, 1100, 0));
   EXPECT_EQ(store.expire(1500).lost, std::vector{jobs[3].id});
