@@ -10,7 +10,7 @@ import { decode, recognise, type ReadText } from "./forms/files";
 import { takeFile } from "./forms/handover";
 import { formOf, jobForm, valueOf, type ObjectNode } from "./forms/model";
 import { OutlineView, type Outline } from "./forms/outline";
-import { drawForm, fieldAt, focusField, selectLine, showFaults, type Fault } from "./forms/render";
+import { drawForm, fieldAt, focusField, labelOf, selectLine, showFaults, type Fault } from "./forms/render";
 import type { JsonObject, Schema } from "./forms/schema";
 import { kindName } from "./jobs/row";
 
@@ -106,7 +106,7 @@ async function start(section: HTMLElement): Promise<void> {
     node = jobForm(envelope, schema, document);
     const choices = machines.machines.filter((each) => each.kind === name);
     machineField.hidden = choices.length === 0;
-    fill(machine, h("option", { value: "" }, t("as_below")), ...choices.map((each) => h("option", { value: each.name }, each.name + (each.type ? ` (${each.type.replace(/_/g, " ")})` : "") + (each.own ? ` – ${t("own")}` : ""))));
+    fill(machine, h("option", { value: "" }, t("as_below")), ...choices.map((each) => h("option", { value: each.name }, each.name + (each.type ? ` (${labelOf(each.type)})` : "") + (each.own ? ` – ${t("own")}` : ""))));
     draw();
     changed();
     const pointer = decodeURIComponent(location.hash.slice(1));
