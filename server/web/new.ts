@@ -6,6 +6,7 @@ import { append, byId, fill, h } from "./base/dom";
 import { duration, number } from "./base/numbers";
 import { onKey, startPage } from "./base/page";
 import { texts } from "./base/texts";
+import { loadDescriptions } from "./forms/descriptions";
 import { decode, recognise, type ReadText } from "./forms/files";
 import { takeFile } from "./forms/handover";
 import { formOf, jobForm, valueOf, type ObjectNode } from "./forms/model";
@@ -43,6 +44,7 @@ async function start(section: HTMLElement): Promise<void> {
   const [envelope, kinds, examples, machines] = await Promise.all([
     getJson<Schema>("/v1/schemas/job"), getJson<{ kinds: { kind?: string; name?: string; title?: string }[] }>("/v1/kinds"),
     getJson<{ examples: Listed[] }>("/v1/examples"), getJson<{ machines: Listed[] }>("/v1/machines"),
+    loadDescriptions(),
   ]);
   const kindNames = kinds.kinds.map((each) => (each.kind ?? each.name)!);
   const schemas = new Map<string, Promise<Schema>>();

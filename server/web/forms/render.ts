@@ -6,6 +6,7 @@ import en from "../texts/en/form.json";
 import { fill, h } from "../base/dom";
 import { number } from "../base/numbers";
 import { language, texts, type Table } from "../base/texts";
+import { describe } from "./descriptions";
 import { addMember, choose, faultOf, formOf, valueOf, type FormNode, type ListNode, type ObjectNode, type VariantNode } from "./model";
 import { nullable, resolved, unitOf, type Json, type Schema } from "./schema";
 
@@ -32,8 +33,10 @@ interface Place {
 }
 
 /** Returns what a member is for, behind a sign that opens it. */
-const help = (schema: Schema): HTMLElement | null =>
-  schema.description ? h("details", { class: "help" }, h("summary", { "aria-label": t("what_is_it"), title: schema.description }, "?"), h("p", { lang: "en" }, schema.description)) : null;
+function help(schema: Schema): HTMLElement | null {
+  const text = describe(schema);
+  return text ? h("details", { class: "help" }, h("summary", { "aria-label": t("what_is_it"), title: text }, "?"), h("p", {}, text)) : null;
+}
 
 /** Returns what a select says for no choice: the default, where there is one. */
 function unchosen({ default: value }: Schema, within: string): string {
@@ -175,7 +178,7 @@ function members(body: HTMLElement, node: ObjectNode, pointer: string, hooks: Ho
     const place: Place = { name, label: labelOf(name, within), pointer: `${pointer}/${token(name)}`, needed: needed.includes(name) };
     if (member === null) {
       const schema = resolved(node.schema.properties![name] as Schema, node.root);
-      folded.push(h("div", { class: "field" }, h("button", { type: "button", class: "add", title: schema.description, click: () => {
+      folded.push(h("div", { class: "field" }, h("button", { type: "button", class: "add", title: describe(schema) || null, click: () => {
         addMember(node, name);
         fill(body);
         members(body, node, pointer, hooks, true);
