@@ -8,7 +8,7 @@ import { number } from "../base/numbers";
 import { language, texts, type Table } from "../base/texts";
 import { describe } from "./descriptions";
 import { addMember, choose, faultOf, formOf, valueOf, type FormNode, type ListNode, type ObjectNode, type VariantNode } from "./model";
-import { nullable, resolved, unitOf, type Json, type Schema } from "./schema";
+import { nullable, resolved, unitOf, type Schema } from "./schema";
 
 const t = texts(en, de);
 const names: Table = language === "de" ? de_fields : en_fields;
