@@ -68,6 +68,9 @@ refused() { # words, then the command
 refused "server cannot be reached" "$bahnwerk" key list --store "postgresql://me:secret@/x?host=$work"
 grep -q secret "$work/err" && fail "the password of the store was printed"
 refused "brought up to date by" "$bahnwerk" migrate --store "sqlite:$work/a.db"
+refused "there is no store" "$bahnwerk" migrate-store "$work/none.db" "postgresql://me@/x?host=$work"
+refused "bahnwerk backup" "$bahnwerk" migrate-store "$work/a.db" "sqlite:$work/b.db"
+refused "pg_dump" "$bahnwerk" migrate-store "postgresql://me@/x?host=$work" "postgresql://me@/y?host=$work"
 refused "has no password" "$bahnwerk" serve --listen 127.0.0.1:0 --store "postgresql://me@/x?host=$work" --store-password-file "$work/none"
 refused "is for a store postgresql" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/a.db" --store-password-file "$work/none"
 refused "not in {on,off}" "$bahnwerk" serve --store-notify maybe
@@ -152,7 +155,7 @@ snake 20000 '{"time_budget":0.2}' >"$work/budget.json"
 client 1 submit "$work/budget.json" --wait --server "$url"
 jq -e '.type == "/problems/budget-exhausted"' "$work/out" >/dev/null || fail "submit --wait prints why"
 stop_server || fail "orderly end"
-for command in "" serve plan submit watch fetch health backup check migrate; do
+for command in "" serve plan submit watch fetch health backup check migrate migrate-store; do
   client 0 $command --help
   grep -q "Exit codes: 0 " "$work/out" || fail "help of '$command' names the exit codes"
 done

@@ -1,6 +1,7 @@
 #include "server/store/postgres/postgres_store.hpp"
 
 #include "server/store/postgres/migrate.hpp"
+#include "server/store/postgres/moving.hpp"
 #include "server/store/postgres/partitions.hpp"
 #include "server/store/postgres/post.hpp"
 
@@ -48,6 +49,7 @@ void PostgresStore::prepare(PostgresConnection& connection) {
   const std::lock_guard lock(prepare_mutex_);
   if (prepared_) return;
   migrate(connection);
+  postgres::refuse_unfinished_move(connection);
   const auto last = connection.run("SELECT id FROM jobs ORDER BY id DESC LIMIT 1");
   if (!last.empty()) {
     const std::lock_guard ids_lock(ids_mutex_);

@@ -7,6 +7,7 @@
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/migrate.hpp"
+#include "server/store/sqlite/moving.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/rows.hpp"
 
@@ -57,6 +58,7 @@ SqliteStore::SqliteStore(SqliteOptions options)
                      changes_.committed();
                    }}) {
   writer_.outside(migrate);  // each migration is a transaction of its own
+  writer_.run(sqlite::refuse_unfinished_move);
   recover(now_ms());
 }
 
