@@ -161,8 +161,9 @@ int run(int argc, char** argv, const BuildInfo& build) {
   CLI::App* check_command =
       app.add_subcommand("check", "checks whether a store is whole, also while the service runs, or a backup of it");
   add_store(check_command);
-  CLI::App* migrate_command = app.add_subcommand(
-      "migrate", "brings the schema of a PostgreSQL store up to date, for those who serve as a user who may not");
+  CLI::App* migrate_command = app.add_subcommand("migrate",
+                                                 "brings the schema of a store up to date, for those who serve with "
+                                                 "--store-migrate never, or as a user of PostgreSQL who may not");
   add_store(migrate_command);
   CLI::App* move_command = app.add_subcommand(
       "migrate-store",
@@ -211,7 +212,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
       {add_command, "0 added, 2 not: bad usage, or the store cannot be changed"},
       {list_command, "0 listed, 2 no such store, bad usage"},
       {remove_command, "0 removed, 2 there is no such key, or bad usage"},
-      {migrate_command, "0 up to date, 2 not: no such server, no permission, bad usage"},
+      {migrate_command, "0 up to date, 2 not: a service has the file, no such server, no permission, bad usage"},
       {move_command,
        "0 moved, and both stores agree; 1 they differ (listed on stdout); 2 not moved: a store is in use, the second "
        "one has jobs, no such store or server, no room, bad usage"},

@@ -41,7 +41,7 @@ int fetch(const Remote& server, const std::string& id, const std::string& format
 int backup(const std::string& store, const std::string& file);
 /// Checks whether the store named by a URL is whole, and prints what is not.
 int check(const std::string& store);
-/// Brings the schema of a PostgreSQL store up to date, and prints its version.
+/// Brings the schema of a store up to date, and prints its version.
 int migrate(const std::string& store);
 /// Moves all jobs from one store into the other, tells on stderr how far it is, and prints what was compared.
 /// `password_file` is for the PostgreSQL server.

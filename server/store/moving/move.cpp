@@ -66,7 +66,7 @@ class Digests final : public MovedContent {
     add("its result", result.document,
         result.columns.value_or("-") + ' ' + std::to_string(result.row_count) + ' ' +
             std::to_string(result.chunk_rows) + ' ' + nlohmann::json(result.cycle_time).dump() + ' ' +
-            std::to_string(result.views));
+            std::to_string(result.views) + ' ' + result.planned_by);
     unpack("its result", [&] { unpack_text(result.document); });
     result_ = true;
     if (!result.columns) return;
@@ -141,7 +141,7 @@ Digests digests_of(MoveReader& store, const MovedJob& job, bool whole) {
 /// Compares both stores, job by job.
 class Comparison {
  public:
-  Comparison(MoveReader& from, MoveReader& to, std::int64_t begun, MoveReport& report)
+  Comparison(MoveReader& from, MoveTarget& to, std::int64_t begun, MoveReport& report)
       : from_(from), to_(to), begun_(begun), report_(report) {}
 
   void run(const std::function<void()>& tell) {
@@ -176,7 +176,7 @@ class Comparison {
   void fault(const std::string& id, const std::string& what) { report_.faults.push_back("job " + id + ": " + what); }
 
   void compare(const MovedJob& theirs, const MovedJob& ours) {
-    const MovedJob expected = as_moved(theirs, begun_);
+    const MovedJob expected = to_.storable(as_moved(theirs, begun_));
     if (record_of(expected) != record_of(ours)) fault(theirs.id, "both differ in its row");
     auto other = std::async(std::launch::async, [&] { return digests_of(to_, ours, false); });
     const Digests source = digests_of(from_, theirs, true);
@@ -196,7 +196,7 @@ class Comparison {
   }
 
   MoveReader& from_;
-  MoveReader& to_;
+  MoveTarget& to_;
   const std::int64_t begun_;
   MoveReport& report_;
 };
@@ -260,7 +260,7 @@ MoveReport move_jobs(MoveReader& from, const std::string& source, MoveTarget& to
     const auto page = from.jobs(state.position, page_jobs);
     if (page.empty()) break;
     for (const MovedJob& each : page) {
-      const MovedJob job = as_moved(each, state.begun);
+      const MovedJob job = to.storable(as_moved(each, state.begun));
       to.open(job, state);
       from.content(each, copying);
       to.add(job);

@@ -20,6 +20,7 @@ struct MovedResult {
   std::int64_t row_count = 0, chunk_rows = 0;
   double cycle_time = 0;
   std::int64_t views = 0;
+  std::string planned_by = {};  ///< version of the program that planned; empty: unknown
 };
 
 /// Receives what belongs to a job, in this order, each as it is stored. Views of bytes are valid during the call.
@@ -76,6 +77,10 @@ class MoveWriter : public MovedContent {
 };
 
 /// A store that is filled, and read afterwards.
-class MoveTarget : public MoveReader, public MoveWriter {};
+class MoveTarget : public MoveReader, public MoveWriter {
+ public:
+  /// Returns the job as this store can keep it, where it has no place for some texts.
+  virtual MovedJob storable(MovedJob job) const { return job; }
+};
 
 }  // namespace bahnwerk::server

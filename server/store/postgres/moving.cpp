@@ -121,7 +121,8 @@ void read_content(PostgresConnection& connection, const MovedJob& job, MovedCont
   id.uuid(job.id);
   const auto rows = connection.run_all_lengthy(
       {{"SELECT document, checked FROM specs WHERE id = $1", id},
-       {"SELECT document, columns, row_count, chunk_rows, cycle_time, views FROM results WHERE id = $1", id},
+       {"SELECT document, columns, row_count, chunk_rows, cycle_time, views, planned_by FROM results WHERE id = $1",
+        id},
        chunks_after(job.id, -1),
        views_after(job.id, "", -1)});
   if (!rows[0].empty()) to.document(rows[0].bytes(0, 0), rows[0].flag(0, 1));
@@ -131,7 +132,8 @@ void read_content(PostgresConnection& connection, const MovedJob& job, MovedCont
              .row_count = rows[1].integer(0, 2),
              .chunk_rows = rows[1].integer(0, 3),
              .cycle_time = rows[1].number(0, 4),
-             .views = rows[1].integer(0, 5)});
+             .views = rows[1].integer(0, 5),
+             .planned_by = rows[1].text(0, 6)});
   for (PostgresRows chunks = rows[2]; !chunks.empty();) {
     for (std::size_t row = 0; row < chunks.size(); ++row)
       to.chunk(chunks.integer(row, 0), chunks.integer(row, 1), chunks.bytes(row, 2));
@@ -236,6 +238,17 @@ class PostgresMoveTarget final : public MoveTarget {
   Keys keys() override { return read_all_keys(connection_, url_); }
   std::vector<PlanningUse> planning_use() override { return read_planning_use(connection_); }
 
+  MovedJob storable(MovedJob job) const override {
+    const auto keep = [](std::string& text) { text = server::storable(text); };
+    for (std::string* const text : {&job.kind, &job.stage, &job.message}) keep(*text);
+    for (auto* const text : {&job.name, &job.reference, &job.owner, &job.error, &job.callback, &job.callback_secret,
+                             &job.callback_receiver, &job.callback_error})
+      if (*text) keep(**text);
+    for (std::string& tag : job.tags) keep(tag);
+    for (auto& [key, hash] : job.idempotency_keys) keep(key);
+    return job;
+  }
+
   std::optional<MoveState> unfinished() override {
     if (connection_.run("SELECT to_regclass('bahnwerk.unfinished_move') IS NULL").flag(0, 0)) return std::nullopt;
     const auto rows = connection_.run("SELECT source, begun, last_id, jobs FROM unfinished_move");
@@ -278,10 +291,11 @@ class PostgresMoveTarget final : public MoveTarget {
     PostgresParameters values;
     values.uuid(id_) << token_;
     values.bytes(held(result.document)) << result.columns << result.row_count << result.chunk_rows << result.cycle_time
-                                        << result.views;
+                                        << result.views << result.planned_by;
     add_statement(
-        "INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views) VALUES ($1, $2, "
-        "$3, $4, $5, $6, $7, $8)",
+        "INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views, planned_by) "
+        "VALUES "
+        "($1, $2, $3, $4, $5, $6, $7, $8, $9)",
         std::move(values));
   }
   void chunk(std::int64_t first_row, std::int64_t row_count, std::string_view packed) override {

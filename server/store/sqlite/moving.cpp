@@ -120,7 +120,7 @@ void read_content(SqliteConnection& connection, const MovedJob& job, MovedConten
   }
   {
     Query row = connection.query(
-        "SELECT document, columns, row_count, chunk_rows, cycle_time, views FROM results WHERE seq = ?");
+        "SELECT document, columns, row_count, chunk_rows, cycle_time, views, planned_by FROM results WHERE seq = ?");
     row << job.key;
     if (!row.step()) return;
     to.result({.document = row.bytes(0),
@@ -128,7 +128,8 @@ void read_content(SqliteConnection& connection, const MovedJob& job, MovedConten
                .row_count = row.integer(2),
                .chunk_rows = row.integer(3),
                .cycle_time = row.number(4),
-               .views = row.integer(5)});
+               .views = row.integer(5),
+               .planned_by = row.text(6)});
     if (row.null(1)) return;
   }
   Query chunks = connection.query("SELECT first_row, row_count, data FROM chunks WHERE seq = ? ORDER BY first_row");
@@ -175,8 +176,7 @@ class SqliteMoveSource final : public MoveReader {
     if (version != known)
       throw StoreError("the store " + path_ + " has schema version " + std::to_string(version) +
                            ", this program moves version " + std::to_string(known) + "; " +
-                           (version < known ? "start `bahnwerk serve` of this version on it once"
-                                            : "it was written by a newer version"),
+                           (version < known ? "run `bahnwerk migrate` on it" : "it was written by a newer version"),
                        false);
     refuse_unfinished_move(connection_);
   }
@@ -251,10 +251,12 @@ class SqliteMoveTarget final : public MoveTarget {
   void result(const MovedResult& result) override {
     transact();
     Query row = connection_.query(
-        "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?)");
+        "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views, planned_by) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     (row << seq_).blob(result.document);
-    (row << result.columns << result.row_count << result.chunk_rows << result.cycle_time << result.views).run();
+    (row << result.columns << result.row_count << result.chunk_rows << result.cycle_time << result.views
+         << result.planned_by)
+        .run();
   }
   void chunk(std::int64_t first_row, std::int64_t row_count, std::string_view packed) override {
     transact();

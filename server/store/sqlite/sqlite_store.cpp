@@ -57,7 +57,7 @@ SqliteStore::SqliteStore(SqliteOptions options)
                      options_.observer(seconds, works);
                      changes_.committed();
                    }}) {
-  writer_.outside(migrate);  // each migration is a transaction of its own
+  writer_.outside(options_.migrate ? migrate : require_up_to_date);  // each migration is a transaction of its own
   writer_.run(sqlite::refuse_unfinished_move);
   recover(now_ms());
 }

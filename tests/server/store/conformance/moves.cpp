@@ -81,7 +81,7 @@ struct Moves : testing::Test {
 
   /// Fills source.db with jobs in every state, and ends with it as a process that is killed.
   void fill() {
-    SqliteStore store(SqliteOptions{.path = path("source.db")});
+    SqliteStore store(SqliteOptions{.path = path("source.db"), .planned_by = "1.2.3"});
     NewJob job = new_job(3, "key of nobody", "hash");
     job.request.name = "bracket \u00e9";
     job.request.reference = "WO-1";
@@ -126,10 +126,13 @@ struct Moves : testing::Test {
     store.progress({{ids["running"], 1}, 0.5, "planning", "half", 77}, [&] { told.set_value(); });
     told.get_future().get();
 
+    NewJob odd = new_job();
+    odd.request.name = std::string("zero \0 there", 12);
+    ids["odd"] = insert_id(store, odd);
     const std::string gone = insert_id(store);
     EXPECT_EQ(store.remove(gone), Removed::yes);
     ids["old"] = insert_id(store);
-    for (int k = 0; k < 30; ++k) insert_id(store);
+    for (int k = 0; k < 29; ++k) insert_id(store);
     cursor = store.last_change();
   }
   void finish_filling() {
@@ -151,7 +154,8 @@ struct Moves : testing::Test {
   /// Returns what a file has of all jobs but those that are changed by the move, without what is the file's own.
   std::string dump(const std::string& file) {
     SqliteConnection connection(path(file), true);
-    const std::string others = "WHERE id NOT IN ('" + ids["asked"] + "', '" + ids["running"] + "')";
+    const std::string others =
+        "WHERE id NOT IN ('" + ids["asked"] + "', '" + ids["running"] + "', '" + ids["odd"] + "')";
     std::string text;
     const auto add = [&](const std::string& columns, const std::string& from) {
       std::string sql = "SELECT ";
@@ -169,7 +173,7 @@ struct Moves : testing::Test {
         "callback_receiver,callback_attempts,callback_due,callback_delivered,callback_error,tags,token",
         "jobs " + others + " ORDER BY id");
     add("id,spec,whole", "specs JOIN jobs USING (seq) " + others + " AND id <> '" + ids["old"] + "' ORDER BY id");
-    add("id,document,columns,row_count,chunk_rows,cycle_time,views",
+    add("id,document,columns,row_count,chunk_rows,cycle_time,views,planned_by",
         "results JOIN jobs USING (seq) " + others + " ORDER BY id");
     add("id,first_row,row_count,data", "chunks JOIN jobs USING (seq) " + others + " ORDER BY id, first_row");
     add("id,name,part,data",
@@ -257,6 +261,7 @@ TYPED_TEST(Moves, AllOfEveryJobArrivesAndComesBack) {
   EXPECT_EQ(all_of(back.faults), "");
   EXPECT_EQ(back.bytes, there.bytes);
   EXPECT_EQ(this->dump("back.db"), before);
+  EXPECT_NE(before.find("'1.2.3'"), std::string::npos) << "results tell which version planned";
   EXPECT_EQ(all_of(inspect(this->target->url())), "");
   EXPECT_EQ(all_of(inspect(this->url("back.db"))), "");
   this->everything_is_there(*this->target->open());
