@@ -43,6 +43,8 @@ std::unique_ptr<Store> open_store(const std::string& url, std::function<void(dou
     options.retention = retention;
     options.connections = shared.connections;
     options.signals = shared.signals;
+    options.migrate = shared.migrate;
+    options.planned_by = shared.planned_by;
     options.refused = shared.refused;
     if (observer) options.observer = std::move(observer);
     return std::make_unique<PostgresStore>(std::move(options));
@@ -52,6 +54,8 @@ std::unique_ptr<Store> open_store(const std::string& url, std::function<void(dou
   options.observer = std::move(observer);
   options.reserve = reserve;
   options.retention = retention;
+  options.migrate = shared.migrate;
+  options.planned_by = shared.planned_by;
   std::error_code error;
   const auto folder = std::filesystem::path(options.path).parent_path();
   const auto disk = std::filesystem::space(folder.empty() ? "." : folder, error);
@@ -72,8 +76,7 @@ BackUp back_up(const std::string& url, const std::string& file) {
 
 int migrate_store(const std::string& url) {
   check_store(url);
-  if (!names_postgres(url)) throw StoreError("an SQLite store is brought up to date by `bahnwerk serve`", false);
-  return postgres::bring_up_to_date(url);
+  return names_postgres(url) ? postgres::bring_up_to_date(url) : sqlite::bring_up_to_date(url);
 }
 
 std::vector<std::string> inspect(const std::string& url) {

@@ -15,8 +15,10 @@ void check_store(const std::string& url);
 /// Returns the path of an SQLite store's file, whatever links lead to it; makes its folder. Throws StoreError.
 std::string prepared_path(const std::string& url);
 
-/// How a process uses a store that processes share.
+/// How a process uses a store, beside others where these share it.
 struct SharedStoreOptions {
+  bool migrate = true;          ///< whether an older schema is brought up to date, or refused
+  std::string planned_by = {};  ///< version of the program, which results keep
   std::size_t connections = 8;  ///< most connections to its server
   bool signals = true;          ///< whether processes tell each other of changes, beside polling
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process for good.
@@ -39,9 +41,8 @@ struct BackUp {
 /// StoreError with a sentence for the operator, also for a PostgreSQL store, which has tools of its own.
 BackUp back_up(const std::string& url, const std::string& file);
 
-/// Brings the schema of the PostgreSQL store named by a URL up to date, with partitions for the next days, and returns
-/// its version: for those who serve as a user who may not. Throws StoreError with a sentence for the operator, also for
-/// an SQLite store, which the service brings up to date.
+/// Brings the schema of the store named by a URL up to date, in a PostgreSQL store with partitions for the next days,
+/// and returns its version: for those whose services may not. Throws StoreError with a sentence for the operator.
 int migrate_store(const std::string& url);
 
 /// Returns what is wrong with the store named by a URL, in sentences: damaged pages, jobs without their document,

@@ -55,7 +55,7 @@ std::string call_name() {
 }
 
 /// $1 id, $2 state, $3 token, $4 next state, $5 time, $6 revision seen, $7 leap, $8 cancellation, $9 error, $10 name of
-/// the call, $11 result.
+/// the call, $11 result, $12 version of the program.
 const std::string& end_statement() {
   static const std::string sql =
       std::string(
@@ -66,8 +66,8 @@ const std::string& end_statement() {
           .append(fence)
           .append(
               "RETURNING jobs.id, jobs.owner, jobs.token, started_at, finished_at), "
-              "result AS (INSERT INTO results (id, token, document) SELECT id, token, $11 FROM job WHERE $11 IS NOT "
-              "NULL), "
+              "result AS (INSERT INTO results (id, token, document, planned_by) SELECT id, token, $11, $12 FROM job "
+              "WHERE $11 IS NOT NULL), "
               "left_over AS (INSERT INTO leftovers (id, token) SELECT id, token FROM job WHERE $2 = 'running' "
               "ON CONFLICT DO NOTHING), "
               "spent AS (INSERT INTO planning_use (owner, day, ms) SELECT owner, floor(extract(epoch FROM finished_at) "
@@ -112,7 +112,7 @@ PostgresStatement PostgresStore::statement_of(const Step& step) {
   if (queued)
     values << step.losses;
   else
-    (values << step.to.error).uuid(step.ended_by).bytes(step.result);
+    (values << step.to.error).uuid(step.ended_by).bytes(step.result) << step.planned_by;
   return {queued ? queue_statement() : end_statement(), std::move(values)};
 }
 
@@ -238,7 +238,8 @@ bool PostgresStore::end(const Attempt& attempt, const Ending& ending) {
                 .now = ending.now,
                 .seen = ending.revision,
                 .ended_by = call_name(),
-                .result = ending.result.empty() ? std::nullopt : std::optional(pack_text(ending.result))});
+                .result = ending.result.empty() ? std::nullopt : std::optional(pack_text(ending.result)),
+                .planned_by = options_.planned_by});
 }
 
 /// Which of the two steps is made is decided under the lock of the job's row: a cancellation comes before it or after.

@@ -191,7 +191,7 @@ void PostgresStore::maintain() {
           "changes.xid < pg_snapshot_xmin(feed.snapshot)");
       connection.commit();
     });
-    writing([&](PostgresConnection& connection) { keep_partitions(connection); });
+    if (options_.migrate) writing([&](PostgresConnection& connection) { keep_partitions(connection); });
   } catch (const StoreError&) {  // the next time will do
   }
 }

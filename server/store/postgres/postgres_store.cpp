@@ -1,6 +1,7 @@
 #include "server/store/postgres/postgres_store.hpp"
 
 #include "server/store/postgres/migrate.hpp"
+#include "server/store/postgres/moving.hpp"
 #include "server/store/postgres/partitions.hpp"
 #include "server/store/postgres/post.hpp"
 
@@ -47,13 +48,14 @@ PostgresStore::~PostgresStore() {
 void PostgresStore::prepare(PostgresConnection& connection) {
   const std::lock_guard lock(prepare_mutex_);
   if (prepared_) return;
-  migrate(connection);
+  options_.migrate ? migrate(connection) : require_up_to_date(connection);
+  postgres::refuse_unfinished_move(connection);
   const auto last = connection.run("SELECT id FROM jobs ORDER BY id DESC LIMIT 1");
   if (!last.empty()) {
     const std::lock_guard ids_lock(ids_mutex_);
     ids_.advance_past(last.uuid(0, 0));
   }
-  keep_partitions(connection);  // that of today comes before its first row
+  if (options_.migrate) keep_partitions(connection);  // that of today comes before its first row
   prepared_ = true;
 }
 

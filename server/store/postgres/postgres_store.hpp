@@ -38,7 +38,9 @@ struct PostgresOptions {
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
   /// store that is too new for the program.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
-  int engine = 0;  ///< level of the program's planners: jobs that need a higher one are left to others
+  bool migrate = true;          ///< whether an older schema is brought up to date and partitions are made, or refused
+  std::string planned_by = {};  ///< version of the program, which results keep
+  int engine = 0;               ///< level of the program's planners: jobs that need a higher one are left to others
   /// Whether leases and deadlines are measured by the times that callers give, for tests. Otherwise the database's
   /// clock is the one of all processes.
   bool times_of_callers = false;
@@ -116,6 +118,7 @@ class PostgresStore final : public Store {
     std::optional<std::int64_t> losses = {};   ///< losses after a lost attempt
     std::optional<std::string> ended_by = {};  ///< name of the call
     std::optional<std::string> result = {};    ///< packed result document
+    std::string planned_by = {};               ///< version of the program that made it
   };
 
   /// Calls `work` with a connection. It is called again where two transactions were in each other's way, or, if `again`

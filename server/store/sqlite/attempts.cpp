@@ -106,9 +106,10 @@ bool SqliteStore::end(const Attempt& attempt, const Ending& ending) {
                                 .seen = ending.revision}))
           return false;
         if (!document.empty()) {
-          Query result = connection.query("INSERT INTO results (seq, document) SELECT seq, ? FROM jobs WHERE id = ?");
+          Query result = connection.query(
+              "INSERT INTO results (seq, document, planned_by) SELECT seq, ?, ? FROM jobs WHERE id = ?");
           result.blob(document);
-          (result << attempt.id).run();
+          (result << options_.planned_by << attempt.id).run();
         }
         return true;
       },

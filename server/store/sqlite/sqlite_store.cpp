@@ -7,6 +7,7 @@
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/migrate.hpp"
+#include "server/store/sqlite/moving.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/rows.hpp"
 
@@ -56,7 +57,8 @@ SqliteStore::SqliteStore(SqliteOptions options)
                      options_.observer(seconds, works);
                      changes_.committed();
                    }}) {
-  writer_.outside(migrate);  // each migration is a transaction of its own
+  writer_.outside(options_.migrate ? migrate : require_up_to_date);  // each migration is a transaction of its own
+  writer_.run(sqlite::refuse_unfinished_move);
   recover(now_ms());
 }
 

@@ -27,6 +27,8 @@ struct SqliteOptions {
   int max_pages = 0;        ///< > 0 caps the file's size in pages of 4 KiB: a full disk on demand
   std::size_t reserve = 0;  ///< bytes of disk set aside, so that a full disk can be emptied
   Retention retention = {};
+  bool migrate = true;          ///< whether an older schema is brought up to date, or refused
+  std::string planned_by = {};  ///< version of the program, which results keep
   Writer::Observer observer = [](double, std::size_t) {};
 };
 

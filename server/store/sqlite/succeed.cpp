@@ -79,12 +79,12 @@ bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned
          << now << static_cast<std::int64_t>(revision) << change << *seq)
             .run();
         Query result = connection.query(
-            "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?)");
+            "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views, planned_by) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
         (result << *seq).blob(document);
         result << columns << static_cast<std::int64_t>(source ? source->count() : 0)
                << static_cast<std::int64_t>(series_chunk_rows) << (source ? source->cycle_time() : 0.0)
-               << std::int64_t{source ? api::views_version : 0};
+               << std::int64_t{source ? api::views_version : 0} << options_.planned_by;
         result.run();
         insert_piece(connection, *seq, piece);
         changes_.note(change, id, api::JobState::succeeded);

@@ -95,6 +95,13 @@ TEST_F(PostgresOnly, AStoreThatNeedsANewerProgramIsRefused) {
   EXPECT_THROW(PostgresStore({.url = stores->url}), StoreError);
 }
 
+TEST_F(PostgresOnly, AnOlderSchemaIsRefusedWhereItMayNotBeChanged) {
+  const PostgresOptions options{.url = stores->url, .patience = PostgresServer::patient(), .migrate = false};
+  EXPECT_NO_THROW(const PostgresStore store(options));
+  run("UPDATE schema_version SET version = version - 1");
+  EXPECT_THROW(const PostgresStore store(options), StoreError);
+}
+
 TEST_F(PostgresOnly, TextsThatAreNoUtf8AreKeptReadable) {
   NewJob job = new_job();
   job.request.name = "caf\xC3 caf\xC3\xA9";
