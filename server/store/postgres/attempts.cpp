@@ -202,32 +202,44 @@ void PostgresStore::forget(const Attempt& attempt) {
 }
 
 /// Fence: token and worker. One statement for all attempts, not waited for until it is on the disk.
-std::vector<Attempt> PostgresStore::heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) {
-  std::vector<Attempt> over;
-  if (attempts.empty()) return over;
-  std::vector<std::string> ids;
-  std::vector<std::int64_t> tokens;
-  for (const Attempt& attempt : attempts) {
-    ids.push_back(attempt.id);
-    tokens.push_back(attempt.token);
+/// READ COMMITTED.
+std::vector<Held> PostgresStore::heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) {
+  std::vector<Held> held;
+  if (attempts.empty()) return held;
+  std::vector<std::string> ids, stages, messages;
+  std::vector<std::int64_t> tokens, revisions;
+  std::vector<double> fractions;
+  for (const Progressed& p : attempts) {
+    ids.push_back(p.attempt.id);
+    tokens.push_back(p.attempt.token);
+    fractions.push_back(p.fraction);
+    stages.push_back(p.stage);
+    messages.push_back(p.message);
+    revisions.push_back(static_cast<std::int64_t>(p.revision));
   }
   const auto length = lease.until == Lease::forever ? std::nullopt : std::optional(lease.until - lease.now);
-  std::set<std::pair<std::string, std::int64_t>> held;
   with_connection_of(leases_, true, [&](PostgresConnection& connection) {
     PostgresParameters values;
     values.uuids(ids).integers(tokens).time(clock(lease.now)) << length << lease.worker;
+    values.numbers(fractions).texts(stages).texts(messages).integers(revisions);
     const auto rows = connection.run_all(
         {{"SELECT set_config('synchronous_commit', 'off', true)"},
          {"UPDATE runs SET lease_until = CASE WHEN $4 IS NULL THEN 'infinity' ELSE coalesce($3, clock_timestamp()) + "
-          "$4 * interval '1 ms' END, lease_ms = $4 FROM unnest($1, $2) AS held (id, token) WHERE runs.id = held.id AND "
-          "runs.token = held.token AND worker = $5 RETURNING runs.id, runs.token",
+          "$4 * interval '1 ms' END, lease_ms = $4, revision = greatest(runs.revision, p.revision), "
+          "fraction = CASE WHEN p.revision >= runs.revision THEN p.fraction ELSE runs.fraction END, "
+          "stage = CASE WHEN p.revision >= runs.revision THEN p.stage ELSE runs.stage END, "
+          "message = CASE WHEN p.revision >= runs.revision THEN p.message ELSE runs.message END "
+          "FROM unnest($1, $2, $6, $7, $8, $9) AS p (id, token, fraction, stage, message, revision) "
+          "JOIN jobs ON jobs.id = p.id WHERE runs.id = p.id AND runs.token = p.token AND worker = $5 "
+          "RETURNING runs.id, runs.token, runs.revision, jobs.cancel_requested",
           std::move(values)}});
     held.clear();
-    for (std::size_t row = 0; row < rows[1].size(); ++row) held.emplace(rows[1].uuid(row, 0), rows[1].integer(row, 1));
+    for (std::size_t row = 0; row < rows[1].size(); ++row)
+      held.push_back({{rows[1].uuid(row, 0), rows[1].integer(row, 1)},
+                      static_cast<std::uint64_t>(rows[1].integer(row, 2)),
+                      rows[1].flag(row, 3)});
   });
-  for (const Attempt& attempt : attempts)
-    if (!held.contains({attempt.id, attempt.token})) over.push_back(attempt);
-  return over;
+  return held;
 }
 
 bool PostgresStore::end(const Attempt& attempt, const Ending& ending) {

@@ -33,7 +33,7 @@ struct PostgresOptions {
   PostgresPatience patience = {};
   std::size_t connections =
       8;                    ///< most connections of the process: one for leases, one for signals, the others for all
-  std::size_t writers = 2;  ///< threads that commit posted jobs and progress
+  std::size_t writers = 2;  ///< threads that commit posted jobs
   bool signals = true;      ///< whether processes tell each other of changes (LISTEN, NOTIFY)
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
   /// store that is too new for the program.
@@ -67,8 +67,7 @@ class PostgresStore final : public Store {
   StoreState state() const override { return state_.now(); }
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
-  std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
-  void progress(Progressed progress, std::function<void()> done) override;
+  std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) override;
   bool end(const Attempt& attempt, const Ending& ending) override;
   bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, const SeenRevision& seen,
                Progress& progress) override;
@@ -98,10 +97,6 @@ class PostgresStore final : public Store {
   /// A posted job on its way into the database. Its id was given before, so that a commit whose answer is lost can be
   /// asked for again.
   struct Post;
-  struct Told {
-    Progressed progress;
-    std::function<void()> done;
-  };
   /// The step of a job out of the queue or out of its attempt.
   struct Step {
     std::string id;
@@ -149,7 +144,6 @@ class PostgresStore final : public Store {
   void write();
   void store_posts(std::vector<Post>& group);
   void store_group(PostgresConnection& connection, std::vector<Post*> group);
-  void store_told(std::vector<Told>& group);
 
   static PostgresStatement statement_of(const Step& step);
   static PostgresStatement lock_of(const std::string& id);
@@ -174,8 +168,8 @@ class PostgresStore final : public Store {
   std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;
   Uuid7 ids_;
-  std::mutex claim_mutex_;      ///< one claim at a time: suspects run alone in a process
-  bool claim_unknown_ = false;  ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
+  std::mutex claim_mutex_;         ///< one claim at a time: suspects run alone in a process
+  bool claim_unknown_ = false;     ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
   std::mutex given_mutex_;
   std::set<std::pair<std::string, std::int64_t>> given_;  ///< attempts (id, token) that claims have returned
   std::mutex listener_mutex_;
@@ -186,7 +180,6 @@ class PostgresStore final : public Store {
   std::mutex mutex_;  ///< guards what the writers take
   std::condition_variable wake_;
   std::deque<Post> posts_;
-  std::deque<Told> told_;
   bool stop_ = false;
   std::vector<std::thread> writers_;
   std::optional<PostgresSignals> signals_;
