@@ -13,13 +13,18 @@ namespace {
 
 using api::JobState;
 
+/// Time for which a claim begins its search where the last one of the process ended. The index's entries of claimed
+/// jobs stay as long as any snapshot is older than their claims, and each search from the queue's head would pass all
+/// of them.
+constexpr std::chrono::seconds searched_for{1};
+
 /// Isolation: READ COMMITTED; SKIP LOCKED gives no row to two. MATERIALIZED is necessary: planned into the update, the
 /// query could lock more rows than its limit. A suspect waits until nothing else runs in the worker's process, and the
-/// others until it has ended.
+/// others until it has ended. $6 to $8 are the place in the queue after which the search begins.
 std::string claim_statement() {
   return std::string(
              "WITH next AS MATERIALIZED (SELECT id, suspect FROM jobs WHERE state = 'queued' AND needs <= $5 "
-             "ORDER BY rank, turn, id LIMIT 1 FOR UPDATE SKIP LOCKED), "
+             "AND (rank, turn, id) > ($6, $7, $8) ORDER BY rank, turn, id LIMIT 1 FOR UPDATE SKIP LOCKED), "
              "mine AS (SELECT count(*) AS number, coalesce(bool_or(suspect), false) AS suspects FROM runs "
              "WHERE worker = $1), "
              "job AS (UPDATE jobs SET state = 'running', attempt = attempt + 1, token = token + 1, started_at = $2, "
@@ -32,7 +37,7 @@ std::string claim_statement() {
              "counted AS (INSERT INTO count_deltas (state, owner, jobs) SELECT s.state, coalesce(job.owner, ''), "
              "s.jobs FROM job, (VALUES ('queued', -1), ('running', 1)) AS s (state, jobs)) SELECT ")
       .append(postgres_job_columns)
-      .append(" FROM job AS j LEFT JOIN runs AS r ON r.id = j.id");
+      .append(", j.turn FROM job AS j LEFT JOIN runs AS r ON r.id = j.id");
 }
 
 /// What follows the update of `jobs`, which the step's `job` is: the attempt is over, others hear of it, and the counts
@@ -144,12 +149,19 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
   static const std::string sql = claim_statement();
   std::optional<api::Job> job;
   const auto length = lease.until == Lease::forever ? std::nullopt : std::optional(lease.until - lease.now);
-  const auto take = [&] {
+  const auto take = [&](const QueuePlace& after) {
     writing([&](PostgresConnection& connection) {
       PostgresParameters values;
       (values << lease.worker).time(lease.now).time(clock(lease.now)) << length << std::int64_t{options_.engine};
+      (values << after.rank << after.turn).uuid(after.id);
+      const std::uint64_t known = queue_changes_;
       const auto rows = connection.run(sql, values);
-      if (!rows.empty()) job = job_from(rows, 0);
+      if (rows.empty()) return;
+      job = job_from(rows, 0);
+      // What is queued before this place meanwhile has to be found by the next claim.
+      claimed_up_to_ = {rows.integer(0, 5), rows.integer(0, postgres_job_column_count), job->id};
+      if (after == QueuePlace{}) searched_all_ = std::chrono::steady_clock::now();
+      known_queue_ = known;
     });
   };
   const std::lock_guard lock(claim_mutex_);
@@ -159,8 +171,11 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
   }
   const bool adopted = job.has_value();
   try {
-    if (!job) take();
-    if (!job && !lose(lease.now).empty()) take();
+    const bool fresh =
+        known_queue_ == queue_changes_ && std::chrono::steady_clock::now() < searched_all_ + searched_for;
+    if (!job && fresh) take(claimed_up_to_);
+    if (!job) take({});
+    if (!job && !lose(lease.now).empty()) take({});
     if (!job) return job;
     if (!adopted) publish({{.id = job->id, .state = JobState::running}});
     // By the id alone, so that its partition is known.

@@ -1,5 +1,7 @@
 #include "server/store/postgres/postgres_store.hpp"
 
+#include <algorithm>
+
 #include "server/store/postgres/migrate.hpp"
 #include "server/store/postgres/partitions.hpp"
 #include "server/store/postgres/post.hpp"
@@ -68,6 +70,8 @@ void PostgresStore::listen_to_others(std::function<void()> call) {
 
 void PostgresStore::publish(const std::vector<Changed>& changes) {
   if (changes.empty()) return;
+  if (std::any_of(changes.begin(), changes.end(), [](const Changed& c) { return c.state == api::JobState::queued; }))
+    ++queue_changes_;
   if (signals_) signals_->tell();
   const std::lock_guard lock(listener_mutex_);
   if (listener_) listener_(changes);

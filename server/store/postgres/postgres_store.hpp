@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -97,6 +98,12 @@ class PostgresStore final : public Store {
   /// A posted job on its way into the database. Its id was given before, so that a commit whose answer is lost can be
   /// asked for again.
   struct Post;
+  /// A place in the queue, in whose order jobs are claimed; before all of them unless said otherwise.
+  struct QueuePlace {
+    std::int64_t rank = std::numeric_limits<std::int32_t>::min(), turn = std::numeric_limits<std::int64_t>::min();
+    std::string id = "00000000-0000-0000-0000-000000000000";
+    bool operator==(const QueuePlace&) const = default;
+  };
   /// The step of a job out of the queue or out of its attempt.
   struct Step {
     std::string id;
@@ -170,6 +177,10 @@ class PostgresStore final : public Store {
   Uuid7 ids_;
   std::mutex claim_mutex_;         ///< one claim at a time: suspects run alone in a process
   bool claim_unknown_ = false;     ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
+  QueuePlace claimed_up_to_;       ///< the last claim; guarded by claim_mutex_, as the two below
+  std::uint64_t known_queue_ = 0;  ///< value of queue_changes_ before it
+  std::chrono::steady_clock::time_point searched_all_{};  ///< the last claim that began at the head of the queue
+  std::atomic<std::uint64_t> queue_changes_{0};           ///< grows whenever a job is known to have been queued
   std::mutex given_mutex_;
   std::set<std::pair<std::string, std::int64_t>> given_;  ///< attempts (id, token) that claims have returned
   std::mutex listener_mutex_;

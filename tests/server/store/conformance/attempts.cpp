@@ -123,6 +123,24 @@ TYPED_TEST(Attempts, AreToldOfTogetherByOneHeartbeat) {
   EXPECT_EQ(store->get(attempts[0].id)->state, JobState::running);
 }
 
+TYPED_TEST(Attempts, FollowTheQueueWhateverComesBeforeTheLastClaim) {
+  auto& store = this->here;
+  this->queue(5);
+  const std::string first = claim(*store, 1)->id, second = claim(*store, 1)->id;
+  EXPECT_TRUE(store->requeue({first, 1}, 2, 0));
+  EXPECT_EQ(claim(*store, 3)->id, first) << "put back, it is the first again";
+  const std::string urgent = insert_id(*store, new_job(5));
+  EXPECT_EQ(claim(*store, 4)->id, urgent);
+  EXPECT_TRUE(this->other->requeue({second, 1}, 5, 0));
+  store->changes_since(0, 100);  // of which the process hears
+  EXPECT_EQ(claim(*store, 6)->id, second);
+  std::size_t more = 0;
+  while (claim(*store, 7)) ++more;
+  EXPECT_EQ(more, 3U);
+  EXPECT_TRUE(this->other->requeue({second, 2}, 8, 0));
+  EXPECT_EQ(claim(*store, 9)->id, second) << "nothing is left behind unheard";
+}
+
 TYPED_TEST(Attempts, Cancels) {
   auto& store = this->here;
   const std::string queued = insert_id(*store), running = insert_id(*store, new_job(1));
