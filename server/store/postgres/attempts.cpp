@@ -216,8 +216,8 @@ void PostgresStore::forget(const Attempt& attempt) {
   given_.erase({attempt.id, attempt.token});
 }
 
-/// Fence: token and worker. One statement for all attempts, not waited for until it is on the disk.
-/// READ COMMITTED.
+/// Fence: token and worker. One statement for all attempts, not waited for until it is on the disk: what a crash of the
+/// server may undo, raise_revisions() makes up for. READ COMMITTED.
 std::vector<Held> PostgresStore::heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) {
   std::vector<Held> held;
   if (attempts.empty()) return held;

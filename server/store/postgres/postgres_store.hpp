@@ -142,6 +142,7 @@ class PostgresStore final : public Store {
     return options_.times_of_callers ? std::optional(now) : std::nullopt;
   }
   void prepare(PostgresConnection& connection);
+  void raise_revisions(PostgresConnection& connection) const;
   void publish(const std::vector<Changed>& changes);
   void forget(const Attempt& attempt);  ///< the attempt is over
   std::optional<api::Job> adopt(PostgresConnection& connection, const std::string& worker);
@@ -203,6 +204,7 @@ auto PostgresStore::with_connection_of(PostgresConnections& connections, bool ag
     try {
       PostgresConnections::Borrowed connection(connections);
       if (!prepared_) prepare(*connection);
+      if (!connection->used()) raise_revisions(*connection);
       return work(*connection);
     } catch (const StoreConflict&) {
       if (attempt == most) throw;
