@@ -1,5 +1,5 @@
-/// Claims of a PostgreSQL store: claims N COUNT jobs of the store named by a URL, one after the other, and prints the
-/// times of the first and the last of them, and those of claims that find nothing.
+/// Claims of a PostgreSQL store: claims and ends N jobs of the store named by a URL, one after the other, and prints
+/// the times of all claims, of the first and the last of them, and of claims that find nothing.
 ///
 ///     claims URL N
 #include <algorithm>
@@ -34,8 +34,11 @@ int main(int count, char** words) {
   const auto timed = [&](bool& found) {
     const auto start = std::chrono::steady_clock::now();
     const std::int64_t now = now_ms();
-    found = store->claim({"bench", now, now + 3'600'000}).has_value();
-    return 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto job = store->claim({"bench", now, now + 3'600'000});
+    const double ms = 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    found = job.has_value();
+    if (job) store->end({job->id, job->token}, {.error = "{}", .now = now, .revision = job->revision});
+    return ms;
   };
   std::vector<double> times;
   bool found = true;

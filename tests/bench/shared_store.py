@@ -50,18 +50,19 @@ def fill(database, jobs):
         INSERT INTO specs (id, document, checked) SELECT made.id, document, checked FROM made, (SELECT * FROM specs LIMIT 1) AS s;
         INSERT INTO count_deltas (state, owner, jobs) VALUES ('queued', '', {jobs});
         ANALYZE""")
+    database.ask("CHECKPOINT")
 
 
 def claims(binary):
     program = pathlib.Path(binary).parent / "tests" / "bench" / "claims"
     for setting in ("on", "off"):
         with server() as database:
-            url = database.url + f"&options=-c%20synchronous_commit={setting}"
+            url = database.url + f"&options=-c%20synchronous_commit%3D{setting}"
             with Service(binary, "--role", "api", url=database.url) as service:
                 service.post(example("line"))
                 service.stop()
             fill(database, 100_000)
-            run = lambda n, url=url: print(subprocess.run([program, url, str(n)], capture_output=True, text=True, check=True).stdout, end="", flush=True)
+            run = lambda n, url=url: print(subprocess.run([program, url, str(n)], stdout=subprocess.PIPE, text=True, check=True).stdout, end="", flush=True)
             print(f"100 000 queued, synchronous_commit {setting}", flush=True)
             run(2_000)
             if setting == "on":

@@ -20,13 +20,15 @@ constexpr std::chrono::seconds searched_for{1};
 
 /// Isolation: READ COMMITTED; SKIP LOCKED gives no row to two. MATERIALIZED is necessary: planned into the update, the
 /// query could lock more rows than its limit. A suspect waits until nothing else runs in the worker's process, and the
-/// others until it has ended. $6 to $8 are the place in the queue after which the search begins.
+/// others until it has ended. $6 to $8 are the place in the queue after which the search begins. $9 are the jobs that
+/// the process has: found by their ids, because `runs` keeps the rows of all that ended since the oldest snapshot.
 std::string claim_statement() {
   return std::string(
              "WITH next AS MATERIALIZED (SELECT id, suspect FROM jobs WHERE state = 'queued' AND needs <= $5 "
              "AND (rank, turn, id) > ($6, $7, $8) ORDER BY rank, turn, id LIMIT 1 FOR UPDATE SKIP LOCKED), "
-             "mine AS (SELECT count(*) AS number, coalesce(bool_or(suspect), false) AS suspects FROM runs "
-             "WHERE worker = $1), "
+             "mine AS (SELECT count(*) AS number, coalesce(bool_or(held.suspect), false) AS suspects FROM unnest($9) "
+             "AS m "
+             "(id), LATERAL (SELECT suspect FROM runs WHERE runs.id = m.id AND worker = $1 OFFSET 0) AS held), "
              "job AS (UPDATE jobs SET state = 'running', attempt = attempt + 1, token = token + 1, started_at = $2, "
              "revision = revision + 1 FROM next, mine WHERE jobs.id = next.id AND (mine.number = 0 OR NOT "
              "(next.suspect OR mine.suspects)) RETURNING jobs.*), "
@@ -153,7 +155,7 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
     writing([&](PostgresConnection& connection) {
       PostgresParameters values;
       (values << lease.worker).time(lease.now).time(clock(lease.now)) << length << std::int64_t{options_.engine};
-      (values << after.rank << after.turn).uuid(after.id);
+      (values << after.rank << after.turn).uuid(after.id).uuids(given());
       const std::uint64_t known = queue_changes_;
       const auto rows = connection.run(sql, values);
       if (rows.empty()) return;
@@ -211,6 +213,13 @@ std::optional<api::Job> PostgresStore::adopt(PostgresConnection& connection, con
   return std::nullopt;
 }
 
+std::vector<std::string> PostgresStore::given() {
+  std::vector<std::string> ids;
+  const std::lock_guard lock(given_mutex_);
+  for (const auto& [id, token] : given_) ids.push_back(id);
+  return ids;
+}
+
 void PostgresStore::forget(const Attempt& attempt) {
   const std::lock_guard lock(given_mutex_);
   given_.erase({attempt.id, attempt.token});
@@ -254,6 +263,9 @@ std::vector<Held> PostgresStore::heartbeat(const Lease& lease, const std::vector
                       static_cast<std::uint64_t>(rows[1].integer(row, 2)),
                       rows[1].flag(row, 3)});
   });
+  for (const Progressed& p : attempts)
+    if (std::none_of(held.begin(), held.end(), [&](const Held& each) { return each.attempt == p.attempt; }))
+      forget(p.attempt);
   return held;
 }
 

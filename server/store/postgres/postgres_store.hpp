@@ -145,6 +145,7 @@ class PostgresStore final : public Store {
   void raise_revisions(PostgresConnection& connection) const;
   void publish(const std::vector<Changed>& changes);
   void forget(const Attempt& attempt);  ///< the attempt is over
+  std::vector<std::string> given();     ///< returns the jobs of given_
   std::optional<api::Job> adopt(PostgresConnection& connection, const std::string& worker);
   std::uint64_t number_changes(PostgresConnection& connection);
   std::uint64_t numbered(PostgresConnection& connection);
