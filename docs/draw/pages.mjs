@@ -5,6 +5,7 @@ import { join, resolve } from 'node:path';
 import { launch } from '../../tests/browser/chromium.mjs';
 import { decode, encodeWithPalette } from '../../tests/browser/png.mjs';
 import { example, root, Service, snake } from '../../tests/browser/service.mjs';
+import { Tabs } from '../../tests/browser/tab.mjs';
 import { Visit } from '../../tests/browser/visit.mjs';
 
 const [binary, folder = join(root, 'docs/pictures')] = process.argv.slice(2);
@@ -21,12 +22,12 @@ const documents = {
 documents.stages.spec.machine = example('machines/md1.json');
 
 const service = await Service.start(resolve(binary), '--workers', '2'), empty = await Service.start(resolve(binary));
-const browser = await launch();
+const browser = await launch(), tabs = new Tabs(browser);
 let failed = false;
 
 /** Takes a picture of what a window shows of `path`, from `selector` on where one is named. */
 async function picture(name, path, { of = service, selector, ...options } = {}) {
-  const visit = await Visit.open(browser, of, path, options);
+  const visit = await Visit.open(tabs, of, path, options);
   await visit.quiet();
   if (selector) await visit.read(`document.querySelector(${JSON.stringify(selector)})?.scrollIntoView()`);
   await visit.quiet();

@@ -6,6 +6,5 @@ cd "$(dirname "$0")"
 mkdir -p "$1"
 rm -f "$1"/*
 esbuild plain.ts jobs.ts job.ts new.ts compare.ts space.ts descriptions_de.ts style.css --bundle --minify --format=esm --target=es2020 \
-  --legal-comments=eof --alias:three=/usr/share/javascript/three/build/three.module.js --alias:three-lines=/usr/share/javascript/three/examples/jsm/lines \
-  --log-level=warning --outdir="$1"
+  --legal-comments=eof --alias:three=/usr/share/javascript/three/build/three.module.js --log-level=warning --outdir="$1"
 cp favicon.svg pictures/*.svg "$1"

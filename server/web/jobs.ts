@@ -5,6 +5,7 @@ import { Refused, at } from "./base/api";
 import { byId, fill, h } from "./base/dom";
 import { onKey, startPage } from "./base/page";
 import { texts } from "./base/texts";
+import { Delay, working } from "./base/work";
 import type { Action } from "./jobs/bulk";
 import { actOn, type Source } from "./jobs/dialog";
 import { startFirst } from "./jobs/first";
@@ -35,14 +36,19 @@ async function readPage(parameters: URLSearchParams): Promise<ListPage> {
 }
 
 function follow(tick: () => Promise<void>, failed: (error: unknown) => void): () => void {
-  let timer = 0, busy = false;
+  let timer = 0, busy = false, again = false;
   const run = async (): Promise<void> => {
     window.clearTimeout(timer);
+    again = true;
     if (busy) return;
     let wait = interval;
     busy = true;
     try {
-      if (document.visibilityState === "visible") await tick();
+      // Whoever asks during a look wants another one: its answer may be older than what they have changed.
+      while (again && document.visibilityState === "visible") {
+        again = false;
+        await working(tick());
+      }
     } catch (error) {
       failed(error);
       wait = afterFailure;
@@ -175,7 +181,7 @@ function startList(): void {
   });
 
   let loading = false;
-  const loadMore = async (): Promise<void> => {
+  const readMore = async (): Promise<void> => {
     if (loading || !list.next) return;
     loading = true;
     const current = version, cursor = list.next;
@@ -190,6 +196,7 @@ function startList(): void {
     }
     loading = false;
   };
+  const loadMore = (): Promise<void> => working(readMore());
   new IntersectionObserver((entries) => entries.some((entry) => entry.isIntersecting) && void loadMore(), { rootMargin: "300px" }).observe(more);
   more.addEventListener("click", (event) => {
     if (!(event.target as Element).closest("a[rel=next]")) return;
@@ -212,9 +219,9 @@ function startList(): void {
     }
     look();
   };
-  let typed = 0;
+  const typed = new Delay(300); // ms
   const apply = (push: boolean): void => {
-    window.clearTimeout(typed);
+    typed.cancel();
     const parameters = new URLSearchParams(filter);
     parameters.delete("cursor");
     for (const name of ["text", "kind", "sort"]) {
@@ -230,8 +237,7 @@ function startList(): void {
   });
   form.addEventListener("change", () => apply(true));
   form.addEventListener("input", () => {
-    window.clearTimeout(typed);
-    typed = window.setTimeout(() => apply(false), 300);
+    typed.start(() => apply(false));
   });
   states.addEventListener("click", (event) => {
     const chip = (event.target as Element).closest("a");

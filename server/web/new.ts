@@ -1,11 +1,12 @@
 /** "Try it": a job from a file, an example, another job or a form; checked while it is written, drawn before it is posted. */
 import de from "./texts/de/form.json";
 import en from "./texts/en/form.json";
-import { Refused, ask, at, getJson, postJson } from "./base/api";
+import { Refused, at, getJson, postJson } from "./base/api";
 import { append, byId, fill, h } from "./base/dom";
 import { duration, number } from "./base/numbers";
 import { onKey, startPage } from "./base/page";
 import { texts } from "./base/texts";
+import { Delay, working } from "./base/work";
 import { loadDescriptions } from "./forms/descriptions";
 import { decode, recognise, type ReadText } from "./forms/files";
 import { takeFile } from "./forms/handover";
@@ -90,7 +91,8 @@ async function start(section: HTMLElement): Promise<void> {
     h("p", {}, h("label", { for: "example" }, t("or_example")), " ", example));
   fill(section, drop, note, form);
 
-  let node: ObjectNode | null = null, current = "", key = newKey(), posted = "", aborter: AbortController | null = null, timer = 0, faults: Fault[] = [];
+  const checking = new Delay(checkDelay);
+  let node: ObjectNode | null = null, current = "", key = newKey(), posted = "", aborter: AbortController | null = null, faults: Fault[] = [];
 
   const documentOf = (): JsonObject => valueOf(node!) as JsonObject;
   const showDocument = (): void => {
@@ -138,9 +140,8 @@ async function start(section: HTMLElement): Promise<void> {
   }
 
   function changed(): void {
-    window.clearTimeout(timer);
     aborter?.abort();
-    timer = window.setTimeout(() => void check(), checkDelay);
+    checking.start(() => void check());
     if (documentView.open) showDocument();
   }
 
@@ -174,8 +175,7 @@ async function start(section: HTMLElement): Promise<void> {
     const { signal } = aborter;
     verdict.classList.add("busy");
     try {
-      const response = await ask("/v1/check", { method: "POST", body: JSON.stringify(documentOf()), headers: { "Content-Type": "application/json" }, signal });
-      const preview = (await response.json()) as Preview;
+      const preview = await postJson<Preview>("/v1/check", documentOf(), {}, signal);
       faults = [];
       showFaults(formPlace, []);
       outline.show(preview.outline);
@@ -195,7 +195,7 @@ async function start(section: HTMLElement): Promise<void> {
 
   async function submit(): Promise<void> {
     if (!node) return;
-    window.clearTimeout(timer);
+    checking.cancel();
     aborter?.abort();
     const text = JSON.stringify(documentOf());
     if (text !== posted) key = newKey(); // the same document, posted again after an answer was lost, is the same job
@@ -230,7 +230,7 @@ async function start(section: HTMLElement): Promise<void> {
   }
 
   async function example_(name: string): Promise<JsonObject> {
-    return JSON.parse(await (await ask(`/v1/examples/${encodeURIComponent(name)}`)).text()) as JsonObject;
+    return getJson<JsonObject>(`/v1/examples/${encodeURIComponent(name)}`);
   }
   async function fromExample(name: string): Promise<void> {
     tell("");
@@ -240,7 +240,7 @@ async function start(section: HTMLElement): Promise<void> {
   }
 
   async function takeBytes(name: string, data: Blob): Promise<void> {
-    await takeText(name, decode(new Uint8Array(await data.arrayBuffer())));
+    await takeText(name, decode(new Uint8Array(await working(data.arrayBuffer()))));
   }
   async function takeText(name: string, { text, encoding }: ReadText): Promise<void> {
     const said = name ? [t("read", { name })] : [t("pasted")];
@@ -303,7 +303,7 @@ async function start(section: HTMLElement): Promise<void> {
     if (kept) {
       await takeBytes(kept.name, kept.data);
     } else if (from) {
-      await show(JSON.parse(await (await ask(`/v1/jobs/${encodeURIComponent(from)}/spec`)).text()) as JsonObject);
+      await show(await getJson<JsonObject>(`/v1/jobs/${encodeURIComponent(from)}/spec`));
       tell("");
       fill(note, t("repost"), " ", h("a", { href: at(`/jobs/${encodeURIComponent(from)}`) }, h("bdi", {}, String(documentOf().name ?? from))));
       note.hidden = false;
@@ -325,4 +325,4 @@ function append1<T extends Element>(parent: T, children: Node[]): T {
 
 startPage();
 const section = byId("new");
-if (section) void start(section).catch((error: Error) => fill(section, h("p", { class: "notice bad", role: "alert" }, error.message)));
+if (section) void working(start(section)).catch((error: Error) => fill(section, h("p", { class: "notice bad", role: "alert" }, error.message)));

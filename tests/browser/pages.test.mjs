@@ -35,18 +35,28 @@ const pages = {
 
 const sections = new Set(['coarse and fine', 'fill factor', 'winding', 'motion law', 'cam', 'probe path']);
 
-// Each pair of size, scheme and language at least once, and axe, which takes longest, where all three differ.
-const variants = [
-  { size: 'desk', scheme: 'light', lang: 'en', axe: true },
-  { size: 'phone', scheme: 'dark', lang: 'de', axe: true },
-  { size: 'desk', scheme: 'dark', lang: 'de' },
-  { size: 'phone', scheme: 'light', lang: 'en' },
+// A page is loaded once in each size and language, by halves in light and in dark, and follows the other scheme. Axe, which takes longest, where all differ.
+const loads = [
+  { size: 'desk', lang: 'en', schemes: ['light', 'dark'], axe: 'light' },
+  { size: 'desk', lang: 'de', schemes: ['dark', 'light'] },
+  { size: 'phone', lang: 'en', schemes: ['dark', 'light'] },
+  { size: 'phone', lang: 'de', schemes: ['light', 'dark'], axe: 'dark' },
 ];
+
+/** Fails where a canvas of the kind is blank as it is shown. */
+async function expectPictures(page) {
+  const picture = await page.pixels('#kind'), section = await page.locator('#kind').boundingBox(), density = picture.width / section.width;
+  for (const canvas of await page.locator('#kind canvas:not(.above)').all()) {
+    const box = await canvas.boundingBox(), label = await canvas.getAttribute('aria-label');
+    const part = picture.part(...[box.x - section.x, box.y - section.y, box.width - 1, box.height - 1].map((each) => Math.floor(each * density)));
+    assert.ok(colours(part) > 2, `${label}: blank`);
+  }
+}
 
 /** Visits a page in all variants; `kind`: whether it has a section of its kind. */
 async function visitAll(visit, path, { kind = false, ...options } = {}) {
-  for (const { axe = false, ...variant } of variants) {
-    const page = await visit(path, { ...variant, ...options });
+  for (const { schemes, axe, ...variant } of loads) {
+    const page = await visit(path, { ...variant, scheme: schemes[0], ...options });
     await page.quiet();
     assert.equal(await page.locator('html').getAttribute('lang'), variant.lang);
     if (kind) {
@@ -54,14 +64,18 @@ async function visitAll(visit, path, { kind = false, ...options } = {}) {
       await page.locator('#kind h2').first().waitFor();
       await page.quiet();
     }
-    await page.expectNoSidewaysScroll();
-    if (axe) {
+    const drawn = {};
+    for (const scheme of schemes) {
+      await page.scheme(scheme);
+      await page.expectNoSidewaysScroll();
+      drawn[scheme] = await page.canvases();
+      for (const { label, blank } of drawn[scheme]) assert.ok(!blank, `${page.variant()}: ${label}: blank`);
+      if (axe !== scheme) continue;
       await page.axe();
-      for (const canvas of kind ? await page.locator('#kind canvas:not(.above)').all() : []) {
-        await canvas.scrollIntoViewIfNeeded();
-        assert.ok(colours(await page.pixels(canvas)) > 2, await canvas.getAttribute('aria-label'));
-      }
+      if (kind) await expectPictures(page);
     }
+    assert.equal(drawn.light.length, drawn.dark.length);
+    drawn.light.forEach(({ label, sum }, k) => assert.notEqual(sum, drawn.dark[k].sum, `${page.variant()}: ${label}: the same in light and dark`));
     await page.close();
   }
 }

@@ -143,7 +143,7 @@ test('a motion law has no path', async ({ service, visit }) => {
   assert.equal(await page.locator('.path-picture').count(), 0);
 });
 
-test('a zoom into the path of a million rows asks once, and for little', { alone: true }, async ({ service, visit }) => {
+test('a zoom into the path of a million rows asks once, and for little', { counts: true }, async ({ service, visit }) => {
   const page = await open(service, visit, longSheet());
   const { width, height } = await page.locator('.path-picture').boundingBox();
   await page.locator('.path-picture').hover({ position: { x: width * 0.4, y: height * 0.4 } });

@@ -7,31 +7,41 @@ const paeth = (a, b, c) => {
   return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
 };
 
-/** Returns {width, height, at(x, y) → [red, green, blue]}. */
+/** Undoes the filter of a line in place: `line` and the one above it, of `samples` bytes per pixel. */
+function unfilter(filter, line, above, samples) {
+  const { length } = line;
+  if (filter === 1) for (let i = samples; i < length; ++i) line[i] += line[i - samples];
+  else if (filter === 2) for (let i = 0; i < length; ++i) line[i] += above[i];
+  else if (filter === 3) for (let i = 0; i < length; ++i) line[i] += ((i < samples ? 0 : line[i - samples]) + above[i]) >> 1;
+  else if (filter === 4)
+    for (let i = 0; i < length; ++i) line[i] += i < samples ? above[i] : paeth(line[i - samples], above[i], above[i - samples]);
+}
+
+/** Returns {width, height, at(x, y) → [red, green, blue], colour(x, y) → the same as one number, part(x, y, width, height) → such a picture of a part}. */
 export function decode(file) {
   const width = file.readUInt32BE(16), height = file.readUInt32BE(20), samples = { 2: 3, 6: 4 }[file[25]];
   assert.ok(file[24] === 8 && samples && file[28] === 0, 'a PNG of 8 bits per sample, RGB or RGBA, without interlacing');
   const packed = [];
   for (let at = 8; at < file.length; at += 12 + file.readUInt32BE(at))
     if (file.toString('latin1', at + 4, at + 8) === 'IDAT') packed.push(file.subarray(at + 8, at + 8 + file.readUInt32BE(at)));
-  const lines = inflateSync(Buffer.concat(packed)), stride = width * samples, pixels = Buffer.alloc(height * stride);
-  for (let y = 0; y < height; ++y) {
-    const filter = lines[y * (stride + 1)];
-    for (let i = 0; i < stride; ++i) {
-      const left = i < samples ? 0 : pixels[y * stride + i - samples], up = y ? pixels[(y - 1) * stride + i] : 0;
-      const corner = y && i >= samples ? pixels[(y - 1) * stride + i - samples] : 0;
-      const predicted = [0, left, up, (left + up) >> 1, paeth(left, up, corner)][filter];
-      pixels[y * stride + i] = lines[y * (stride + 1) + 1 + i] + predicted;
-    }
-  }
-  const at = (x, y) => [...pixels.subarray(y * stride + x * samples, y * stride + x * samples + 3)];
-  return { width, height, at };
+  const stride = width * samples, lines = inflateSync(Buffer.concat(packed)), line = (y) => lines.subarray(y * (stride + 1) + 1, (y + 1) * (stride + 1));
+  for (let y = 0, above = new Uint8Array(stride); y < height; above = line(y++)) unfilter(lines[y * (stride + 1)], line(y), above, samples);
+  const part = (left, top, width, height) => {
+    const first = (x, y) => (top + y) * (stride + 1) + 1 + (left + x) * samples;
+    return {
+      width, height,
+      at: (x, y) => [...lines.subarray(first(x, y), first(x, y) + 3)],
+      colour: (x, y) => lines.readUIntBE(first(x, y), 3),
+      part: (x, y, w, h) => part(left + x, top + y, w, h),
+    };
+  };
+  return part(0, 0, width, height);
 }
 
-/** Returns the number of different colours: 1 of a blank picture. */
-export function colours({ width, height, at }) {
+/** Returns the number of different colours, 1 of a blank picture; counting ends at `enough`. */
+export function colours({ width, height, colour }, enough = 64) {
   const found = new Set();
-  for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) found.add(at(x, y).join());
+  for (let y = 0; y < height; ++y) for (let x = 0; x < width && found.size < enough; ++x) found.add(colour(x, y));
   return found.size;
 }
 

@@ -7,6 +7,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { launch } from './chromium.mjs';
 import { root, Service } from './service.mjs';
 import { declared } from './support.mjs';
+import { Tabs } from './tab.mjs';
 import { Visit } from './visit.mjs';
 
 const [path, ...words] = process.argv.slice(2);
@@ -31,24 +32,25 @@ process.on('SIGINT', () => stop(130));
 process.on('SIGTERM', () => stop(143));
 
 rmSync(pictures, { recursive: true, force: true });
-const browser = await launch();
-const service = await Service.start(binary, '--workers', '2');
+const browser = await launch(), tabs = new Tabs(browser);
+const start = () => Service.start(binary, '--workers', '2');
+const shared = await start();
 const failures = [];
 
-async function runTest({ name, run }) {
+async function runTest({ name, run }, service) {
   const begun = Date.now(), visits = [], own = [];
   const visit = async (path, { service: of = service, ...options } = {}) => {
-    const opened = await Visit.open(browser, of, path, options);
+    const opened = await Visit.open(tabs, of, path, options);
     visits.push(opened);
     return opened;
   };
-  const start = async (...words) => {
+  const startOwn = async (...words) => {
     own.push(await Service.start(binary, ...words));
     return own.at(-1);
   };
   let failure;
   try {
-    await run({ service, binary, browser, visit, own: start });
+    await run({ service, binary, browser, visit, own: startOwn });
   } catch (error) {
     failure = error;
     mkdirSync(pictures, { recursive: true });
@@ -66,13 +68,14 @@ async function runTest({ name, run }) {
   console.log(`${failure.stack ?? failure}\n`.replace(/^/gm, '    '));
 }
 
-// As many at a time as there are processors; those that have to be alone at the end.
-const waiting = chosen.filter(({ alone }) => !alone);
-const processors = Math.min(4, availableParallelism?.() ?? cpus().length);
-await Promise.all(Array.from({ length: processors }, async () => {
-  for (let next; (next = waiting.shift()); ) await runTest(next);
-}));
-for (const each of chosen.filter(({ alone }) => alone)) await runTest(each);
+// As many at a time as there are processors. Those that count at a service run one after another, beside the others; their plans take longest.
+const counting = chosen.filter(({ counts }) => counts), others = chosen.filter(({ counts }) => !counts);
+const lanes = Math.min(4, availableParallelism?.() ?? cpus().length);
+const lane = async (tests, service) => {
+  for (let next; (next = tests.shift()); ) await runTest(next, service);
+};
+const countLane = async () => counting.length > 0 && lane(counting, await start());
+await Promise.all([countLane().then(() => lane(others, shared)), ...Array.from({ length: lanes - 1 }, () => lane(others, shared))]);
 
 await browser.close();
 if (failures.length) console.log(`Failed: ${failures.join('; ')}. Pictures of their pages: ${pictures}`);

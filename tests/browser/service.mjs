@@ -20,7 +20,7 @@ export function example(name) {
   return document;
 }
 
-/** Documents of the sizes that issue and benchmark name: 1.02 million rows, and a winding of 70 turns. */
+/** Documents of the sizes that tests and benchmark name: 1.02 million rows, and windings of 70 and 200 turns. */
 export function longSheet() {
   const document = example('parts/sheet.ngc');
   document.name = 'sheet, a million rows';
@@ -31,6 +31,13 @@ export function longWinding() {
   const document = example('stator_coil.json');
   document.name = 'coil of 70 turns'; // the layout of its wire has no more places
   document.spec.coil.turns = 70;
+  return document;
+}
+export function longestWinding() {
+  const document = example('stator_coil.json');
+  document.name = 'coil of 200 turns'; // of a thinner wire, which has so many places
+  document.spec.wire = 0.5;
+  document.spec.coil.turns = 200;
   return document;
 }
 

@@ -3,10 +3,27 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { settings } from './chromium.mjs';
 import { decode } from './png.mjs';
+import { longest } from './tab.mjs';
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+// Resolves when the page has settled: <html data-settled> says that it has no request, timer or frame of its own under way (server/web/base/work.ts). Two frames
+// come first, since a browser gives turns of the wheel to a page with the next one; an observer of our own, since those of the page have been told by then
+// what has come into view.
+export const settled = `new Promise((done) => {
+  const root = document.documentElement, is = () => 'settled' in root.dataset;
+  const look = () => requestAnimationFrame(() => requestAnimationFrame(() => new IntersectionObserver((_, own) => {
+    own.disconnect();
+    is() ? done() : wait();
+  }).observe(root)));
+  const wait = () => new MutationObserver((_, own) => {
+    if (!is()) return;
+    own.disconnect();
+    look();
+  }).observe(root, { attributes: true });
+  look();
+})`;
 
 const dataTypes = new Set(['XHR', 'Fetch', 'EventSource', 'WebSocket', 'Other']);
 
@@ -14,21 +31,24 @@ export class Visit {
   faults = []; // what went wrong and was not expected, in words
   requests = []; // {url, type, status, bytes}: bytes over the wire, head and packed body
   #open = new Map(); // requests under way, by their id
+  #ended = () => {}; // called when one of them ends
+  #closed = false;
 
-  /** Opens `path`. Options: size, scheme, lang (chromium.mjs); expect: {status: [404], console: [/text/]}, faults that the test means to see; context:
-   *  a context of Playwright to share, as of tabs, or further settings of a new one. */
-  static async open(browser, service, path, options = {}) {
+  /** Opens `path` in one of the tabs. Options: size, scheme, lang (chromium.mjs); expect: {status: [404], console: [/text/]}, faults that the test means to see;
+   *  fresh: nothing is in the browser's cache; context: a context of Playwright to share, as of tabs, or further settings of a new one. */
+  static async open(tabs, service, path, options = {}) {
     const visit = new Visit();
-    visit.service = service;
-    visit.options = options;
-    const shared = options.context && 'newPage' in options.context;
-    visit.context = shared ? options.context : await browser.newContext({ ...settings(options), ...options.context });
-    if (!shared) visit.owned = visit.context;
-    visit.context.setDefaultTimeout(600_000 * Number(process.env.SLOWER ?? 1)); // a test waits for what has to happen; this ends what never will
-    visit.page = await visit.context.newPage();
-    await visit.#watch();
+    Object.assign(visit, { tabs, service, options, tab: await tabs.take(options) });
+    visit.tab.visit = visit;
     await visit.goto(path);
     return visit;
+  }
+
+  get page() {
+    return this.tab.page;
+  }
+  get cdp() {
+    return this.tab.cdp;
   }
 
   async goto(path) {
@@ -41,62 +61,55 @@ export class Visit {
     this.options = { ...this.options, expect: expected };
   }
 
-  #fault(text) {
+  fault(text) {
     this.faults.push(`${this.path}: ${text}`);
   }
-  #consoleLine(text, place = '') {
+  consoleLine(text, place = '') {
     if (/GPU stall due to ReadPixels/.test(text)) return; // space is drawn and composed by the processor here
     const expected = this.options.expect ?? {};
     if ((expected.console ?? []).some((pattern) => pattern.test(text))) return;
     const status = /^Failed to load resource: .*status of (\d+)/.exec(text);
     if (status && (expected.status ?? []).includes(Number(status[1]))) return;
-    this.#fault(`on the console: ${text}${place ? ` (${place})` : ''}`);
+    this.fault(`on the console: ${text}${place ? ` (${place})` : ''}`);
   }
 
-  async #watch() {
-    this.page.on('console', (line) => this.#consoleLine(line.text(), line.location().url));
-    this.page.on('pageerror', (error) => this.#fault(`an uncaught error: ${error.stack ?? error}`));
-    this.page.on('crash', () => this.#fault('the page crashed'));
-    this.cdp = await this.context.newCDPSession(this.page);
-    this.cdp.on('Audits.issueAdded', ({ issue }) => {
-      if (issue.code === 'ContentSecurityPolicyIssue') this.#fault(`against the policy: ${JSON.stringify(issue.details.contentSecurityPolicyIssueDetails)}`);
-    });
-    this.cdp.on('Network.requestWillBeSent', ({ requestId, request, type, redirectResponse }) => {
+  network = {
+    requestWillBeSent: ({ requestId, request, type, redirectResponse }) => {
       if (redirectResponse) this.#end(requestId);
       const url = new URL(request.url);
       if (url.protocol === 'blob:' || url.protocol === 'data:') return;
-      if (url.origin !== this.service.url) this.#fault(`a request to ${url.origin}`);
+      if (url.origin !== this.service.url) this.fault(`a request to ${url.origin}`);
       const entry = { url: url.pathname + url.search, method: request.method, type, status: 0, bytes: 0, cached: false };
       entry.again = this.requests.some((other) => other.url === entry.url && other.method === entry.method);
       this.requests.push(entry);
       this.#open.set(requestId, entry);
-    });
-    this.cdp.on('Network.requestServedFromCache', ({ requestId }) => {
+    },
+    requestServedFromCache: ({ requestId }) => {
       const entry = this.#open.get(requestId);
       if (entry) entry.cached = true;
-    });
-    this.cdp.on('Network.responseReceived', ({ requestId, response, type }) => {
+    },
+    responseReceived: ({ requestId, response, type }) => {
       const entry = this.#open.get(requestId);
       if (!entry) return;
       entry.status = response.status;
       entry.type = type;
       entry.cached ||= Boolean(response.fromDiskCache);
       entry.bytes = response.encodedDataLength;
-      if (response.status >= 400 && !(this.options.expect?.status ?? []).includes(response.status)) this.#fault(`${entry.method} ${entry.url} answered ${response.status}`);
-    });
-    this.cdp.on('Network.dataReceived', ({ requestId, encodedDataLength }) => {
+      if (response.status >= 400 && !(this.options.expect?.status ?? []).includes(response.status)) this.fault(`${entry.method} ${entry.url} answered ${response.status}`);
+    },
+    dataReceived: ({ requestId, encodedDataLength }) => {
       const entry = this.#open.get(requestId);
       if (entry) entry.bytes += encodedDataLength;
-    });
-    this.cdp.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => this.#end(requestId, encodedDataLength));
+    },
+    loadingFinished: ({ requestId, encodedDataLength }) => this.#end(requestId, encodedDataLength),
     // What a page stops, or leaves behind as it is left, is no fault; what the network lost stands on the console, too.
-    this.cdp.on('Network.loadingFailed', ({ requestId }) => this.#end(requestId));
-    await Promise.all(['Network', 'Audits', 'Page'].map((domain) => this.cdp.send(`${domain}.enable`)));
-  }
+    loadingFailed: ({ requestId }) => this.#end(requestId),
+  };
   #end(id, bytes) {
     const entry = this.#open.get(id);
     if (entry && bytes !== undefined && !entry.cached) entry.bytes = bytes;
     this.#open.delete(id);
+    this.#ended();
   }
 
   /** Returns the value of an expression in the page; a promise is awaited. */
@@ -106,21 +119,29 @@ export class Visit {
     return result.value;
   }
 
-  /** Waits until the page asks for nothing new any more and has drawn: no request was under way, and none began, while it was idle ten times in a row.
-   *  Streams of events do not count, nor what is asked once more: pages look for changes again and again. */
+  /** Waits until all that was done to the page has led to is there: answers, drawings, the address. Pictures count, too; streams of events do not, nor what is
+   *  asked once more: pages look for changes again and again. */
   async quiet() {
-    const fresh = (requests) => [...requests].filter(({ type, again }) => type !== 'EventSource' && !again).length;
-    for (let idle = 0, seen = -1; idle < 10; ) {
-      await this.read('new Promise((done) => requestAnimationFrame(() => setTimeout(() => requestIdleCallback(done), 50)))');
-      const now = fresh(this.requests);
-      idle = fresh(this.#open.values()) || now !== seen ? 0 : idle + 1;
-      seen = now;
+    const pending = () => [...this.#open.values()].filter(({ type, again }) => type !== 'EventSource' && !again);
+    let late;
+    const patience = new Promise((_, fail) => {
+      late = setTimeout(() => fail(new Error(`${this.path} does not settle; under way: ${pending().map(({ url }) => url).join(' ') || 'no request'}`)), longest);
+    });
+    try {
+      for (;;) {
+        await Promise.race([this.read(settled), patience]);
+        if (pending().length === 0) return;
+        await Promise.race([new Promise((ended) => (this.#ended = ended)), patience]);
+      }
+    } finally {
+      clearTimeout(late);
     }
   }
 
-  /** Returns {count, bytes} of the requests since the `from`th that went over the wire; without `data`, only document, modules, styles and pictures count. */
+  /** Returns {count, bytes} of the requests since the `from`th that went over the wire; without `data`, only document, modules, styles and pictures count. The
+   *  favicon, which the browser asks for once and when it likes, does not. */
   traffic({ from = 0, data = true } = {}) {
-    const counted = this.requests.slice(from).filter(({ type, cached }) => !cached && (data || !dataTypes.has(type)));
+    const counted = this.requests.slice(from).filter(({ url, type, cached }) => !cached && !url.endsWith('/favicon.svg') && (data || !dataTypes.has(type)));
     return { count: counted.length, bytes: counted.reduce((sum, { bytes }) => sum + bytes, 0), list: counted.map(({ method, url, bytes }) => `${method} ${url} ${bytes}`) };
   }
 
@@ -152,6 +173,14 @@ export class Visit {
     assert.equal(found.length, 0, `${this.path}, ${this.variant()}: axe found\n${found.join('\n')}`);
   }
 
+  /** Changes the system's colours to 'light' or 'dark', and waits until the page has followed. */
+  async scheme(scheme) {
+    if (scheme === (this.options.scheme ?? 'light')) return;
+    this.options = { ...this.options, scheme };
+    await this.page.emulateMedia({ colorScheme: scheme });
+    await this.quiet();
+  }
+
   variant() {
     const { size = 'desk', scheme = 'light', lang = 'en' } = this.options;
     return `${size}, ${scheme}, ${lang}`;
@@ -163,14 +192,31 @@ export class Visit {
     return decode(await locator.screenshot({ animations: 'disabled' }));
   }
 
+  /** Returns {label, blank, sum} of all canvases that are shown and drawn on in two dimensions; `sum` is a number of their pixels that is another one where these are
+   *  others. What is shown of a canvas is a matter of pixels(). */
+  canvases() {
+    return this.read(`[...document.querySelectorAll('canvas:not(.above, .layer)')].filter((each) => each.checkVisibility() && each.width > 1 && each.getContext('2d')).map((each) => {
+      const copy = new OffscreenCanvas(each.width, each.height), pen = copy.getContext('2d', { willReadFrequently: true });
+      pen.drawImage(each, 0, 0);
+      let sum = 0, blank = true;
+      for (const pixel of new Uint32Array(pen.getImageData(0, 0, copy.width, copy.height).data.buffer)) {
+        sum = (Math.imul(sum, 31) + pixel) | 0;
+        blank &&= pixel === 0;
+      }
+      return { label: each.getAttribute('aria-label') ?? each.className, blank, sum };
+    })`);
+  }
+
   locator(selector, options) {
     return this.page.locator(selector, options);
   }
 
-  /** Closes the page; faults that were not expected fail the test. */
+  /** Ends the visit; faults that were not expected fail the test. A tab in which something went wrong is not used again. */
   async close({ failing = false } = {}) {
-    await this.page.close();
-    await this.owned?.close();
+    if (this.#closed) return;
+    this.#closed = true;
+    if (failing || this.faults.length > 0) await this.tab.close();
+    else await this.tabs.give(this.tab);
     if (!failing) assert.equal(this.faults.length, 0, `${this.faults.length} faults (${this.variant()}):\n${this.faults.join('\n')}`);
   }
 }

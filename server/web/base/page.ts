@@ -3,6 +3,7 @@ import de from "../texts/de/shell.json";
 import en from "../texts/en/shell.json";
 import { h } from "./dom";
 import { language, texts } from "./texts";
+import { begin } from "./work";
 
 const t = texts(en, de);
 
@@ -51,6 +52,9 @@ function listKeys(): void {
 
 /** Starts what every page has. */
 export function startPage(): void {
+  const loaded = begin();
+  if (document.readyState === "complete") loaded();
+  else addEventListener("load", loaded, { once: true });
   showTimes();
   setInterval(() => document.visibilityState === "visible" && showTimes(), 10_000);
   onKey("?", t("keys"), listKeys);

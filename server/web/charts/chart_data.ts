@@ -2,12 +2,14 @@
  *  step that have not been answered are given up. */
 import { getColumns } from "../base/api";
 import { askLimits, type LimitsAnswer, type PlannedJob } from "../base/planned_job";
+import { Delay } from "../base/work";
 import { sourceOf } from "./columns";
 import { Envelope } from "./intervals";
 
 const mostPoints = 384; // 32 rows each are read at most: four chunks of 4096
 const mostNumbers = 22_000; // of 4 bytes
-const patience = 90; // ms without a further step before finer data are asked for
+const patience = 90; // ms; a step that follows another one sooner waits for the last of them before finer data are asked for
+const restAfter = 150; // ms that a cursor stays before exact rows are asked for
 const ribbonPoints = 300;
 
 /** Returns how many intervals to ask for in a picture of so many pixels, with so many columns. */
@@ -23,7 +25,8 @@ export class ChartData {
   failed = false;
   private columns: string[] = [];
   private abort: AbortController | null = null;
-  private timer = 0;
+  private readonly delay = new Delay(patience);
+  private wanted = -Infinity; // time of the last step, ms
   /** `changed` is called after new numbers have come; `pixels` returns the width of the pictures. */
   constructor(private readonly job: PlannedJob, private readonly pixels: () => number, private readonly changed: () => void) {
     void job.limits().then((answer) => {
@@ -32,12 +35,14 @@ export class ChartData {
     });
   }
 
-  /** Asks for what the shown rows and columns need and is not there, at once or after a moment without another call. */
+  /** Asks for what the shown rows and columns need and is not there: at once for a single step, and after the last one of a row of steps. */
   want(columns: string[], atOnce = false): void {
+    const now = performance.now(), single = now - this.wanted > patience;
+    this.wanted = now;
     this.columns = [...new Set(columns.map(sourceOf))];
-    clearTimeout(this.timer);
-    if (atOnce) void this.load();
-    else this.timer = window.setTimeout(() => void this.load(), patience);
+    this.delay.cancel();
+    if (atOnce || single) void this.load();
+    else this.delay.start(() => void this.load());
   }
 
   /** Returns the finest envelope of a column with rows of [from, to), and the rows of it that are to be drawn; coarser ones fill what is left. */
@@ -96,7 +101,7 @@ export class RowWindow {
   private names: string[] = [];
   private data: Float32Array = new Float32Array();
   private asked = "";
-  private timer = 0;
+  private readonly delay = new Delay(restAfter);
   constructor(private readonly job: PlannedJob, private readonly changed: () => void) {}
   /** Returns the value of a column in a row; null where it is not there. */
   value(row: number, column: string): number | null {
@@ -112,8 +117,7 @@ export class RowWindow {
   want(row: number, columns: string[]): void {
     columns = [...new Set(columns.map(sourceOf))];
     if (columns.every((column) => this.value(row, column) !== null && this.value(Math.min(row + 1, this.job.rows - 1), column) !== null)) return;
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.load(row, columns), 150);
+    this.delay.start(() => void this.load(row, columns));
   }
   private async load(row: number, columns: string[]): Promise<void> {
     const first = Math.max(0, row - 64), count = Math.min(this.job.rows - first, 129);

@@ -7,6 +7,7 @@ import type { Limit, PlannedJob } from "../base/planned_job";
 import { countSegments } from "../base/segments";
 import { nameOf, texts } from "../base/texts";
 import { keepInAddress, readAddress } from "../base/view";
+import { Delay, NextFrame } from "../base/work";
 import de from "../texts/de/charts.json";
 import en from "../texts/en/charts.json";
 import { pathLength, proportional, type Abscissa } from "./abscissa";
@@ -25,6 +26,7 @@ import { fillTable } from "./value_table";
 const t = texts(en, de);
 const right = 6; // px beside the pictures
 const otherNames: Record<string, () => string> = { deviation: () => t("name_deviation"), brake: () => t("name_brake"), tension: () => t("name_tension") };
+const addressAfter = 250; // ms
 const statesName = ["ahead", "stop", "dwell"];
 
 /** Returns the name of a column as the page shows it. */
@@ -54,8 +56,8 @@ class Curves {
   private limits: readonly Limit[] = [];
   private colours = new Map<number, string>();
   private only: number | null = null; // the limit that is looked at in the ribbon
-  private frame = 0; // handle of the animation that draws
-  private addressTimer = 0;
+  private readonly frame = new NextFrame(() => this.drawNow());
+  private readonly address = new Delay(addressAfter);
   private legendSays = "";
 
   private readonly heading = h("h2", {}, t("title"));
@@ -222,10 +224,9 @@ class Curves {
   }
 
   draw(): void {
-    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.drawNow());
+    this.frame.ask();
   }
   private drawNow(): void {
-    this.frame = 0;
     const { first, count } = this.view.get(), over = this.abscissa(), end = first + count;
     const from = over.value(first), to = over.value(end - 1), left = this.left(), width = this.plotWidth();
     if (width <= 0) return;
@@ -441,11 +442,10 @@ class Curves {
   // The address
 
   private keep(): void {
-    clearTimeout(this.addressTimer);
-    this.addressTimer = window.setTimeout(() => {
+    this.address.start(() => {
       const { first, count, row, locked } = this.view.get(), all = count === this.job.rows;
       keepInAddress({ first: all ? null : String(first), count: all ? null : String(count), row: locked && row !== null ? String(row) : null, locked: locked ? "1" : null });
-    }, 250);
+    });
   }
   private readAgain(): void {
     const state = readAddress(), whole = state.count === undefined;

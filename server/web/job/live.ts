@@ -3,6 +3,7 @@ import { ask, at, getJson, postJson, Refused } from "../base/api";
 import { append, byId, h } from "../base/dom";
 import { duration } from "../base/numbers";
 import { texts } from "../base/texts";
+import { working } from "../base/work";
 import de from "../texts/de/job.json";
 import en from "../texts/en/job.json";
 
@@ -75,7 +76,7 @@ export function followJob(id: string, begin: () => void): void {
     clearInterval(ticking);
     clearInterval(looking);
     try {
-      const page = await getPage(), next = page.querySelector("main"), main = document.querySelector("main");
+      const page = await working(getPage()), next = page.querySelector("main"), main = document.querySelector("main");
       if (!next || !main || page.querySelector("#live")) throw new Error("not the page of a job that has ended");
       main.replaceWith(document.adoptNode(next));
       document.title = page.title;
@@ -89,11 +90,12 @@ export function followJob(id: string, begin: () => void): void {
     show();
     if (ended(next.state)) void become();
   };
-  const read = async (): Promise<void> => {
+  const readJob = async (): Promise<void> => {
     const answer = await ask(`/v1/jobs/${id}`), date = Date.parse(answer.headers.get("Date") ?? "");
     if (Number.isFinite(date)) clock = date - Date.now();
     take((await answer.json()) as JobResource);
   };
+  const read = (): Promise<void> => working(readJob());
   const stop = async (): Promise<void> => {
     cancel.disabled = true;
     try {

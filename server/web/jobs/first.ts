@@ -1,7 +1,7 @@
 /** The first open, without any job: one click plans an example, a file goes to the form. */
 import de from "../texts/de/jobs.json";
 import en from "../texts/en/jobs.json";
-import { ask, at, postJson } from "../base/api";
+import { at, getText, postJson } from "../base/api";
 import { append, byId, h } from "../base/dom";
 import { texts } from "../base/texts";
 import { keepFile } from "../forms/handover";
@@ -10,8 +10,7 @@ const t = texts(en, de);
 
 /** Posts an example of the service, and returns the address of its page. */
 export async function planExample(name: string): Promise<string> {
-  const document = await (await ask(`/v1/examples/${name}`)).text();
-  const job = await postJson<{ id: string }>("/v1/jobs", document);
+  const job = await postJson<{ id: string }>("/v1/jobs", await getText(`/v1/examples/${name}`));
   return at(`/jobs/${job.id}`);
 }
 

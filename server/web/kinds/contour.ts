@@ -4,6 +4,7 @@ import { Refused, at, getJson, postJson } from "../base/api";
 import { fill, h } from "../base/dom";
 import { duration, fixed, number, percent } from "../base/numbers";
 import type { PlannedJob } from "../base/planned_job";
+import { working } from "../base/work";
 import { Chart, type Curve, line } from "./chart";
 import { Plane, hold, nothing } from "./plane";
 import { type Envelope, curveOf, envelope, figures, folded, follow, followed, legend, panel, resultParts, t, table } from "./parts";
@@ -317,9 +318,9 @@ const signed = (share: number): string => (share === 0 ? "0 %" : (share > 0 ? "+
 /** Waits until a job has ended: each request is held by the service for up to half a minute. */
 async function ended(id: string): Promise<void> {
   for (;;) {
-    const response = await fetch(at(`/v1/jobs/${id}`), { headers: { Accept: "application/json", Prefer: "wait=30" }, credentials: "same-origin" });
+    const response = await working(fetch(at(`/v1/jobs/${id}`), { headers: { Accept: "application/json", Prefer: "wait=30" }, credentials: "same-origin" }));
     if (!response.ok) return;
-    const { state } = (await response.json()) as ListedJob;
+    const { state } = (await working(response.json())) as ListedJob;
     if (state !== "queued" && state !== "running") return;
   }
 }

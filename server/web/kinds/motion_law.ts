@@ -3,6 +3,7 @@ import { at, getJson } from "../base/api";
 import { append, h } from "../base/dom";
 import { fixed, number, percent } from "../base/numbers";
 import type { PlannedJob } from "../base/planned_job";
+import { working } from "../base/work";
 import { type Piece, lawLine } from "./bernstein";
 import { type BSpline, splineLine, splinePoint } from "./bspline";
 import { type Box, Chart, type ChartOptions } from "./chart";
@@ -329,7 +330,7 @@ function tables(id: string): HTMLElement {
   });
   const element = panel(t("tables"), h("p", { class: "soft" }, t("tables_note")), table(t("tables"), [t("controller"), t("table_content"), t("refit")], rows));
   const button = h("button", { type: "button" }, t("tables_measure"));
-  button.addEventListener("click", async () => {
+  const measure = async (): Promise<void> => {
     button.disabled = true;
     for (const layout of layouts) {
       const cell = cells.get(layout)!;
@@ -342,7 +343,8 @@ function tables(id: string): HTMLElement {
       }
     }
     button.remove();
-  });
+  };
+  button.addEventListener("click", () => void working(measure()));
   append(element, button);
   return element;
 }

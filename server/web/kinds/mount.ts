@@ -2,6 +2,7 @@
 import { Refused } from "../base/api";
 import { h } from "../base/dom";
 import type { PlannedJob } from "../base/planned_job";
+import { working } from "../base/work";
 import { mountCoarseFine } from "./contour";
 import { mountFillFactor } from "./fill_factor";
 import { mountMotionLaw } from "./motion_law";
@@ -24,7 +25,7 @@ export function mountKind(section: HTMLElement, kind: string, id: string, job: P
   const waiting = h("p", { class: "soft" }, t("loading"));
   section.append(waiting); // An empty section has no place on the page, and would never be seen.
   whenSeen(section, () => {
-    mount()
+    working(mount())
       .catch((error: unknown) => {
         section.append(h("p", { class: "error" }, error instanceof Refused ? `${error.problem.title}: ${error.message}` : t("lost")));
       })

@@ -2,6 +2,7 @@
 import { Palette, sharp } from "../base/canvas";
 import { h } from "../base/dom";
 import { countSegments } from "../base/segments";
+import { NextFrame } from "../base/work";
 
 /** What a drawing draws with. Lengths are CSS pixels. */
 export interface Pen {
@@ -34,7 +35,7 @@ export class Stage {
   readonly element: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   private above: HTMLCanvasElement | null;
-  private asked = 0; // handle of the next frame
+  private readonly frame = new NextFrame(() => this.paint());
   private whole = true; // the next frame draws everything
   private panel = "stage-" + String(++named);
   constructor(private options: StageOptions) {
@@ -50,11 +51,11 @@ export class Stage {
   /** Draws everything at the next frame. */
   redraw(): void {
     this.whole = true;
-    this.ask();
+    this.frame.ask();
   }
   /** Draws what moves at the next frame. */
   move(): void {
-    this.ask();
+    this.frame.ask();
   }
   /** Returns a pointer's place in the picture. */
   place(event: MouseEvent): { x: number; y: number } {
@@ -66,13 +67,6 @@ export class Stage {
   }
   get height(): number {
     return typeof this.options.height === "number" ? this.options.height : this.options.height(this.width);
-  }
-  private ask(): void {
-    if (this.asked) return;
-    this.asked = requestAnimationFrame(() => {
-      this.asked = 0;
-      this.paint();
-    });
   }
   private paint(): void {
     const { width, height } = this;

@@ -1,10 +1,11 @@
 /** The path of a plan, in the plane or in space, with its playback and its program. */
-import { ask, getJson } from "../base/api";
+import { getColumns, getJson } from "../base/api";
 import { append, fill, h } from "../base/dom";
 import { duration, fixed, number } from "../base/numbers";
 import type { Limit, PlannedJob } from "../base/planned_job";
 import { limitColours } from "../base/limit_colours";
 import { keepInAddress, readAddress } from "../base/view";
+import { Delay, working } from "../base/work";
 import type { ColourBy } from "./colours";
 import { fillLegend } from "./legend";
 import type { Mark } from "./layer";
@@ -20,7 +21,7 @@ import { pathTable } from "./table";
 import { t } from "./words";
 
 const choices: ColourBy[] = ["speed", "limit", "use", "block", "tool"];
-const restAfter = 150, addressAfter = 400; // ms
+const restAfter = 150, addressAfter = 400, emphasisAfter = 120; // ms
 
 /** Draws the path into the section of the page. A motion law has none. */
 export function mountPath(section: HTMLElement, job: PlannedJob): void {
@@ -49,9 +50,10 @@ class PathPanel {
   private canvas: SpaceCanvas | null = null;
   private laid = false;
   private mine = -1; // row that this panel has told the others last
-  private rest = 0;
+  private readonly rest = new Delay(restAfter);
   private skipped = 0; // looks at the playback without its line
-  private address = 0;
+  private readonly address = new Delay(addressAfter);
+  private readonly emphasis = new Delay(emphasisAfter);
 
   constructor(section: HTMLElement, private readonly job: PlannedJob) {
     const lines = job.kind === "contour", state = readAddress();
@@ -65,11 +67,8 @@ class PathPanel {
     this.moving = ["x", "y", "z", "xc", "yc", "zc", "phi", "psi", "v"].filter((name) => job.columns.includes(name));
     this.values = new Float64Array(this.moving.length);
     this.slices = new Slices(job.rows, async (first, every, count, signal): Promise<Slice> => {
-      const response = await ask(
-        `/v1/jobs/${job.id}/setpoints?first=${first}&every=${every}&count=${count}&columns=${this.moving.join(",")}&format=f32`,
-        { headers: { Accept: "application/octet-stream" }, signal },
-      );
-      const values = new Float32Array(await response.arrayBuffer()), names = (response.headers.get("X-Columns") ?? "").split(",");
+      const query = `first=${first}&every=${every}&count=${count}&columns=${this.moving.join(",")}&format=f32`;
+      const { names, data: values } = await getColumns(`/v1/jobs/${job.id}/setpoints?${query}`, signal);
       return { first, every, count: Math.floor(values.length / names.length), values, names };
     });
     this.program = lines
@@ -111,11 +110,17 @@ class PathPanel {
     job.view.follow((view, changed) => {
       if (changed.has("first") || changed.has("count")) {
         Object.assign(this.picture.shown, { first: view.first, end: view.first + view.count });
-        this.picture.redraw();
+        // The curves come first: a picture of the path may take longer than all of them.
+        this.emphasis.start(() => this.picture.redraw());
       }
       if (changed.has("row") || changed.has("locked")) this.follow();
     });
     Object.assign(this.picture.shown, { first: job.view.get().first, end: job.view.get().first + job.view.get().count });
+    // What a path in space needs is asked for together with it; it is hardly ever one in a plane.
+    if (job.columns.includes("z") && state.view !== "plane") {
+      this.picture.expectSpace(true);
+      this.space = this.makeSpace();
+    }
     void this.load(true);
   }
 
@@ -138,6 +143,7 @@ class PathPanel {
     if (this.job.columns.includes("xc")) this.addCoarse();
     const deep = path.dimension === 3 && high[2] - low[2] > 1e-3;
     if (deep) this.addSpace(state.view !== "plane");
+    else this.picture.expectSpace(false);
     this.follow();
     if (this.program) this.program.at(this.row() ?? 0);
   }
@@ -231,6 +237,7 @@ class PathPanel {
     this.space ??= this.makeSpace();
     const canvas = await this.space;
     if (!canvas) {
+      this.picture.expectSpace(false);
       this.stage.classList.add("flat");
       fill(this.notice, t("no_webgl"));
       this.notice.classList.remove("error");
@@ -244,22 +251,15 @@ class PathPanel {
     this.marks(this.row());
   }
   private async makeSpace(): Promise<SpaceCanvas | null> {
+    // A picture of path and bodies takes little more time than one of the path alone. Without bodies the path is drawn alone.
+    const asked = this.hasScene() ? this.job.scene().catch(() => null) : null;
     try {
-      const module = (await import(new URL("./space.js", import.meta.url).href)) as { makeSpace(): SpaceCanvas | null };
-      const canvas = module.makeSpace();
-      if (canvas && this.hasScene())
-        this.job.scene().then(
-          (scene) => {
-            if (!scene) return;
-            canvas.setScene(scene);
-            if (scene.box) this.picture.setBodies({ low: scene.box[0], high: scene.box[1] });
-            this.marks(this.row());
-            this.picture.redraw();
-          },
-          () => {
-            // The path is drawn alone.
-          },
-        );
+      const module = (await working(import(new URL("./space.js", import.meta.url).href))) as { makeSpace(): SpaceCanvas | null };
+      const canvas = module.makeSpace(), scene = await asked;
+      if (canvas && scene) {
+        canvas.setScene(scene);
+        if (scene.box) this.picture.setBodies({ low: scene.box[0], high: scene.box[1] });
+      }
       return canvas;
     } catch {
       return null;
@@ -345,8 +345,8 @@ class PathPanel {
     // A cursor that hovers costs no request.
     if (row !== null && locked) this.program?.at(row);
     this.list?.show(row, locked);
-    window.clearTimeout(this.rest);
-    if (row !== null && locked) this.rest = window.setTimeout(() => void this.exact(row), restAfter);
+    if (row !== null && locked) this.rest.start(() => void this.exact(row));
+    else this.rest.cancel();
   }
   /** Asks for the rows around a cursor that rests: their places are exact, and stepping on costs nothing. */
   private async exact(row: number): Promise<void> {
@@ -363,8 +363,8 @@ class PathPanel {
   private marks(row: number | null): void {
     const { path } = this.picture;
     if (row === null || !path) {
-      this.picture.setMarks([], false);
       this.tool(null, null);
+      this.picture.setMarks([], false);
       return;
     }
     const playing = this.player.clock.playing, rate = this.player.clock.by === "line" ? 1 / this.job.cycle : this.player.clock.rate;
@@ -381,15 +381,15 @@ class PathPanel {
       place = placeAt(path, row);
     }
     if (place) marks.push({ place, shape: "tool" });
-    this.picture.setMarks(marks, this.job.view.get().locked);
     this.tool(place, row, coarse);
+    this.picture.setMarks(marks, this.job.view.get().locked);
   }
   private tool(place: [number, number, number] | null, row: number | null, coarse: [number, number, number] | null = null): void {
     if (!this.canvas) return;
     const phi = this.value("phi"), psi = this.value("psi");
     const turned = phi !== undefined && Number.isFinite(phi);
     const changes = this.canvas.setTool(place && row !== null ? { place, coarse, phi: turned ? phi : NaN, psi: turned ? psi! : NaN, row, time: row * this.job.cycle } : null, this.laid);
-    if (changes) this.picture.showSpace();
+    if (changes) this.picture.showSpace(this.player.clock.playing);
   }
   private read(row: number | null): void {
     const { path } = this.picture;
@@ -411,11 +411,10 @@ class PathPanel {
     this.readout.textContent = parts.join(" · ");
   }
   private remember(): void {
-    window.clearTimeout(this.address);
-    this.address = window.setTimeout(() => {
+    this.address.start(() => {
       if (this.picture.inSpace) return;
       const { x, y, scale } = this.picture.plane;
       keepInAddress({ plane: this.picture.isFit() ? null : [x.toFixed(3), y.toFixed(3), scale.toPrecision(5)].join(",") });
-    }, addressAfter);
+    });
   }
 }

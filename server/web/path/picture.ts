@@ -3,6 +3,7 @@ import { styleColour } from "../base/canvas";
 import { countSegments } from "../base/segments";
 import { h } from "../base/dom";
 import { number } from "../base/numbers";
+import { Delay, NextFrame } from "../base/work";
 import { colouring, speedRange, type ColourBy, type Colouring } from "./colours";
 import { drawPath, isEmphasised, isShown, type Shown } from "./drawing";
 import { onGestures } from "./gestures";
@@ -38,9 +39,9 @@ export class Picture {
   private size: Size = { width: 0, height: 0 };
   private density = 1;
   private drawnPlane: { x: number; y: number; scale: number } | null = null;
-  private settle = 0;
-  private fetching = 0;
-  private frame = 0;
+  private readonly settle = new Delay(settleAfter);
+  private readonly fetching = new Delay(fetchAfter);
+  private readonly frame = new NextFrame(() => this.draw());
   private extents: Extents = { low: [0, 0, 0], high: [0, 0, 0] };
   private bodies: Extents | null = null;
   private whole: PathData | null = null;
@@ -52,6 +53,10 @@ export class Picture {
   private locked = false;
   private fitted = true; // all of the path is shown, whatever the size of the picture
   private three: SpaceCanvas | null = null;
+  private expecting = false; // a picture in space is about to come, so that one in the plane is of no use
+  private turning = false; // the view in space changes
+  private moving = false; // what moves in space is drawn above the rest
+  private playing = false;
   by: ColourBy = "speed";
   shown: Shown;
   stroke: [number, number] | null = null; // stroke of the fine axes, mm to each side
@@ -72,7 +77,8 @@ export class Picture {
       tap: (sx, sy, touch) => this.events.pick(this.rowAt(sx, sy, touch ? 28 : 14)),
       key: (event) => this.key(event),
     });
-    new ResizeObserver(() => this.resize()).observe(this.element);
+    // A canvas of another size is blank until it is drawn.
+    new ResizeObserver(() => this.resize() && this.frame.now()).observe(this.element);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
       this.recolour();
       this.events.recoloured();
@@ -102,6 +108,7 @@ export class Picture {
       t("picture", { n: path.count, x: number(this.extents.high[0] - this.extents.low[0], 4), y: number(this.extents.high[1] - this.extents.low[1], 4) }),
     );
     this.adaptHeight();
+    this.resize();
     if (this.fitted && this.size.width > 0) this.fit();
     else this.after();
     this.recolour();
@@ -117,21 +124,26 @@ export class Picture {
     this.coarse = path;
     this.redraw();
   }
+  /** Leaves the picture empty while a view in space is being loaded. */
+  expectSpace(expecting: boolean): void {
+    this.expecting = expecting;
+    if (!expecting) this.redraw();
+  }
   /** Shows the path in space on that canvas, or in the plane. */
   setSpace(three: SpaceCanvas | null): void {
-    if (this.three) this.three.element.remove();
+    this.expecting = false;
+    for (const canvas of this.three?.elements ?? []) canvas.remove();
     this.three = three;
     this.base.hidden = three !== null;
     this.element.setAttribute("aria-label", t(three ? "picture_keys_space" : "picture_keys"));
     if (three) {
-      this.element.insertBefore(three.element, this.layer);
+      for (const canvas of three.elements) this.element.insertBefore(canvas, this.layer);
       three.resize(this.size, this.density);
-      three.element.setAttribute("aria-label", this.base.getAttribute("aria-label")!);
+      three.elements[0]!.setAttribute("aria-label", this.base.getAttribute("aria-label")!);
     }
-    this.fitView();
-    this.fitted = true;
-    this.recolour();
-    this.after();
+    this.scheme = readScheme();
+    this.colours.clear();
+    this.fit();
   }
   /** Extents of the bodies in space, which are shown with the path. */
   setBodies(bodies: Extents): void {
@@ -141,8 +153,7 @@ export class Picture {
   fit(): void {
     this.move(() => this.fitView());
     this.fitted = true;
-    window.clearTimeout(this.settle);
-    this.redraw();
+    this.rest();
   }
   /** Changes the scale about the middle. */
   scaleBy(factor: number): void {
@@ -175,15 +186,18 @@ export class Picture {
     return this.scheme;
   }
   redraw(): void {
-    cancelAnimationFrame(this.frame);
-    this.frame = requestAnimationFrame(() => this.draw());
+    this.frame.ask();
   }
 
-  /** Draws the view in space after something in it has moved. */
-  showSpace(): void {
-    this.three?.show(this.space, true);
-    window.clearTimeout(this.settle);
-    this.settle = window.setTimeout(() => this.redraw(), settleAfter);
+  /** Shows that something in space has moved. `playing`: it goes on to move. */
+  showSpace(playing: boolean): void {
+    this.playing = playing;
+    if (!this.moving) {
+      this.moving = true;
+      this.redraw();
+    }
+    if (playing) this.settle.cancel();
+    else this.settle.start(() => this.rest());
   }
   /** Returns whether all of the path is shown. */
   isFit(): boolean {
@@ -206,6 +220,13 @@ export class Picture {
     else return false;
     return true;
   }
+  /** Draws all as it is at rest. */
+  private rest(): void {
+    this.settle.cancel();
+    this.turning = false;
+    this.moving = this.playing;
+    this.redraw();
+  }
   private move(change: () => void): void {
     this.fitted = false;
     change();
@@ -215,7 +236,8 @@ export class Picture {
   private after(): void {
     if (this.size.width === 0) return;
     if (this.three) {
-      this.three.show(this.space, true);
+      this.turning = true;
+      this.redraw();
     } else if (this.drawnPlane) {
       const was = this.drawnPlane, k = this.plane.scale / was.scale, { width, height } = this.size;
       const left = width / 2 + (was.x - this.plane.x) * this.plane.scale - (k * width) / 2;
@@ -223,10 +245,8 @@ export class Picture {
       this.base.style.transform = `translate(${left}px,${top}px) scale(${k})`;
     }
     this.drawLayer();
-    window.clearTimeout(this.settle);
-    this.settle = window.setTimeout(() => this.redraw(), settleAfter);
-    window.clearTimeout(this.fetching);
-    this.fetching = window.setTimeout(() => void this.refine(), fetchAfter);
+    this.settle.start(() => this.rest());
+    this.fetching.start(() => void this.refine());
     this.touchAction();
     this.events.moved();
   }
@@ -275,11 +295,12 @@ export class Picture {
   }
   private draw(): void {
     const path = this.current();
-    if (!path || this.size.width === 0) return;
+    if (!path || this.size.width === 0 || this.expecting) return;
     const colours = this.coloursOf(path);
     if (this.three) {
       this.three.setPath(path, colours, this.shown, this.scheme);
-      countSegments("path", this.three.show(this.space, false));
+      const count = this.three.show(this.space, this.turning, this.moving);
+      if (!this.turning) countSegments("path", count);
     } else {
       const pen = this.base.getContext("2d", drawnByProcessor)!;
       pen.setTransform(this.density, 0, 0, this.density, 0, 0);
@@ -304,6 +325,7 @@ export class Picture {
     pen.clearRect(0, 0, this.size.width, this.size.height);
     drawScaleBar(pen, this.view.scale, this.size, this.scheme);
     drawAxes(pen, this.view.matrix(), this.view.scale, this.three ? 3 : 2, this.scheme);
+    if (this.three && this.moving) this.three.showMoving(this.space, pen);
     drawMarks(pen, this.view, this.marks, this.scheme, this.locked, this.three ? null : this.stroke);
   }
   private rowAt(sx: number, sy: number, reach: number): number | null {
@@ -313,9 +335,10 @@ export class Picture {
     const emphasised = pick(path, matrix, sx, sy, reach, (i) => isShown(path, i, this.shown) && isEmphasised(path, i, this.shown));
     return (emphasised ?? pick(path, matrix, sx, sy, reach, (i) => isShown(path, i, this.shown)))?.row ?? null;
   }
-  private resize(): void {
+  /** Takes the size that the element has; returns whether it is another one. */
+  private resize(): boolean {
     const width = Math.floor(this.element.clientWidth), height = Math.floor(this.element.clientHeight), density = Math.min(2, devicePixelRatio || 1);
-    if (width === 0 || height === 0 || (width === this.size.width && height === this.size.height && density === this.density)) return;
+    if (width === 0 || height === 0 || (width === this.size.width && height === this.size.height && density === this.density)) return false;
     this.size = { width, height };
     this.density = density;
     this.plane.size = this.space.size = this.size;
@@ -327,6 +350,6 @@ export class Picture {
     this.drawnPlane = null;
     if (this.whole && this.fitted) this.fit();
     else this.after();
-    this.draw();
+    return true;
   }
 }

@@ -1,5 +1,5 @@
 /** Where the picture of a path has its vertices from: the whole path once, and a part of it finer, when a part is looked at closely. */
-import { ask, getColumns } from "../base/api";
+import { getColumns } from "../base/api";
 import type { ColourBy } from "./colours";
 import { countAtMost } from "../base/search";
 import { chordSpeeds, readPath, type PathData } from "./path_data";
@@ -70,9 +70,8 @@ export class PathSource {
   }
   private async fetch(query: string, by: ColourBy, signal?: AbortSignal): Promise<PathData> {
     const address = `/v1/jobs/${this.id}/path?format=f32&of=${this.of}&columns=${this.columns(by)}&${query}`;
-    const response = await ask(address, { headers: { Accept: "application/octet-stream" }, ...(signal ? { signal } : {}) });
-    const names = (response.headers.get("X-Columns") ?? "").split(",");
-    const path = readPath(names, await response.arrayBuffer(), Number(response.headers.get("X-Tolerance") ?? 0));
+    const { names, data, headers } = await getColumns(address, signal);
+    const path = readPath(names, data.buffer, Number(headers.get("X-Tolerance") ?? 0));
     path.columns.speed = chordSpeeds(path, this.cycle);
     return path;
   }

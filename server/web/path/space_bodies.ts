@@ -1,6 +1,6 @@
 /** Bodies of a scene as objects of three. */
 import {
-  BufferAttribute, BufferGeometry, Color, CylinderBufferGeometry, DoubleSide, EdgesGeometry, ExtrudeBufferGeometry, Group, LineBasicMaterial, LineSegments, Material,
+  BufferAttribute, BufferGeometry, Color, CylinderBufferGeometry, DoubleSide, ExtrudeBufferGeometry, Group, LineBasicMaterial, LineSegments, Material,
   Matrix4, Mesh, MeshLambertMaterial, Object3D, Path, Points, PointsMaterial, Shape, SphereBufferGeometry, Vector2, Vector3,
 } from "three";
 import type { Body, Point } from "../base/scene";
@@ -22,11 +22,19 @@ function frameOf(body: Body): Object3D {
   return group;
 }
 
-function solid(geometry: BufferGeometry, material: Material, edges: Material | null): Object3D {
-  const group = new Group();
-  group.add(new Mesh(geometry, material));
-  if (edges) group.add(new LineSegments(new EdgesGeometry(geometry, 30), edges));
-  return group;
+const sharpTurn = Math.cos((30 * Math.PI) / 180);
+
+/** Returns the ends of a prism's edges: the rings of both faces, and the lines between them where a ring turns sharply. */
+export function prismEdges(rings: readonly (readonly [number, number])[][], from: number, to: number): Point[] {
+  const ends: Point[] = [];
+  for (const ring of rings)
+    ring.forEach(([x, y], k) => {
+      const [x0, y0] = ring[(k + ring.length - 1) % ring.length]!, [x1, y1] = ring[(k + 1) % ring.length]!;
+      for (const z of [from, to]) ends.push([x, y, z], [x1, y1, z]);
+      const before = Math.hypot(x - x0, y - y0), after = Math.hypot(x1 - x, y1 - y);
+      if ((x - x0) * (x1 - x) + (y - y0) * (y1 - y) < sharpTurn * before * after) ends.push([x, y, from], [x, y, to]);
+    });
+  return ends;
 }
 
 /** A cylinder about the line from a to b, with round ends where asked for. */
@@ -67,8 +75,9 @@ export function bodyObject(body: Body, colours: BodyColours): Object3D {
     const plane = (list: [number, number][]): Vector2[] => list.map(([x, y]) => new Vector2(x, y));
     const shape = new Shape(plane(body.outline));
     shape.holes = (body.holes ?? []).map((hole) => new Path().setFromPoints(plane(hole)));
-    const from = body.from ?? 0, geometry = new ExtrudeBufferGeometry(shape, { depth: (body.to ?? from) - from, bevelEnabled: false });
-    frame.add(solid(geometry.translate(0, 0, from), surface(0.16), edge(0.45)));
+    const from = body.from ?? 0, to = body.to ?? from, geometry = new ExtrudeBufferGeometry(shape, { depth: to - from, bevelEnabled: false });
+    const ends = new Float32Array(prismEdges([body.outline, ...(body.holes ?? [])], from, to).flat());
+    frame.add(new Mesh(geometry.translate(0, 0, from), surface(0.16)), new LineSegments(new BufferGeometry().setAttribute("position", new BufferAttribute(ends, 3)), edge(0.45)));
   } else if (body.kind === "cylinder" && points.length > 1) {
     frame.add(rod(points[0]!, points[points.length - 1]!, radius, body.round_end ? "end" : "none", surface(0.3), 20));
   } else if (body.kind === "tube") {

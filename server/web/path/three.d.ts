@@ -49,16 +49,16 @@ declare module "three" {
     updateProjectionMatrix(): void;
   }
   export class BufferAttribute {
-    constructor(array: ArrayLike<number>, size: number);
+    constructor(array: Float32Array | Uint32Array, size: number);
+    array: Float32Array | Uint32Array;
+    needsUpdate: boolean;
   }
   export class BufferGeometry {
     setAttribute(name: string, attribute: BufferAttribute): this;
+    setIndex(attribute: BufferAttribute): this;
     setDrawRange(first: number, count: number): void;
     translate(x: number, y: number, z: number): this;
     dispose(): void;
-  }
-  export class EdgesGeometry extends BufferGeometry {
-    constructor(geometry: BufferGeometry, angle?: number);
   }
   export class Path {
     setFromPoints(points: Vector2[]): this;
@@ -82,10 +82,14 @@ declare module "three" {
     dispose(): void;
   }
   export class LineBasicMaterial extends Material {}
+  export class ShaderMaterial extends Material {
+    uniforms: Record<string, { value: any }>;
+  }
   export class MeshLambertMaterial extends Material {}
   export class PointsMaterial extends Material {}
   export class Mesh extends Object3D {
     constructor(geometry: BufferGeometry, material: Material);
+    geometry: BufferGeometry;
   }
   export class LineSegments extends Object3D {
     constructor(geometry: BufferGeometry, material: Material);
@@ -110,31 +114,4 @@ declare module "three" {
   }
   export const VertexColors: number;
   export const DoubleSide: number;
-}
-
-declare module "three-lines/LineMaterial.js" {
-  import { Material, Vector2 } from "three";
-  export class LineMaterial extends Material {
-    resolution: Vector2;
-    linewidth: number;
-  }
-}
-
-declare module "three-lines/LineSegmentsGeometry.js" {
-  import { BufferGeometry } from "three";
-  export class LineSegmentsGeometry extends BufferGeometry {
-    setPositions(values: Float32Array): this;
-    setColors(values: Float32Array): this;
-    maxInstancedCount: number;
-  }
-}
-
-declare module "three-lines/LineSegments2.js" {
-  import { Object3D } from "three";
-  import { LineMaterial } from "three-lines/LineMaterial.js";
-  import { LineSegmentsGeometry } from "three-lines/LineSegmentsGeometry.js";
-  export class LineSegments2 extends Object3D {
-    constructor(geometry: LineSegmentsGeometry, material: LineMaterial);
-    geometry: LineSegmentsGeometry;
-  }
 }
