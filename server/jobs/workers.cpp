@@ -31,7 +31,12 @@ Workers::Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metr
       name_(Uuid7().next(time.now_ms())),
       lease_(lease),
       time_(time) {
-  if (lease_) heartbeat_.emplace(store_, live_, name_, *lease_, time_);
+  heartbeat_.emplace(
+      store_, live_, name_, lease_,
+      [this](const std::string& id) {
+        if (store_.shared()) notifier_.changed(id, Change::progress);  // clients see what is stored
+      },
+      time_);
 }
 
 Workers::~Workers() {
@@ -214,15 +219,6 @@ void Workers::run(const api::Job& job) {
                        {.publish =
                             [&] {
                               if (!store_.shared()) notifier_.changed(id, Change::progress);
-                            },
-                        .keep =
-                            [&](Progressed p, std::function<void()> done) {
-                              if (!store_.shared()) return store_.progress(std::move(p), std::move(done));
-                              // Clients see what is stored.
-                              store_.progress(std::move(p), [&notifier = notifier_, id, done = std::move(done)] {
-                                done();
-                                notifier.changed(id, Change::progress);
-                              });
                             },
                         .now_ms = [&] { return time_.now_ms(); },
                         .now = [&] { return time_.now(); }});

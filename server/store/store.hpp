@@ -56,12 +56,10 @@ class Store : public ChangeSource {
   /// first, as in `expire`. A job with a lost attempt is given to a worker that runs no other one, and that gets none
   /// until it has ended.
   virtual std::optional<api::Job> claim(const Lease& lease) = 0;
-  /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed.
-  /// Returns the others: they ended or were lost, and their planners may stop.
-  virtual std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) = 0;
-  /// Stores progress asynchronously, within a group commit; `done` is called from any thread. Without effect when the
-  /// attempt is over.
-  virtual void progress(Progressed progress, std::function<void()> done) = 0;
+  /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed, and
+  /// stores their progress where its revision is not below the stored one. Returns these attempts; the others ended or
+  /// were lost, and their planners may stop. A crash of the store's server may undo it.
+  virtual std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) = 0;
   virtual bool end(const Attempt& attempt, const Ending& ending) = 0;
   /// Stores the result, all setpoints and their views. Long series are stored piece by piece before the state changes,
   /// so that neither memory nor other writers suffer from their length; `progress` is asked between the pieces and may

@@ -128,11 +128,20 @@ struct SeriesInfo {
 /// Returns the newest revision of an attempt's progress that clients may have seen.
 using SeenRevision = std::function<std::uint64_t()>;
 
+/// The progress of an attempt, as a heartbeat tells it.
 struct Progressed {
   Attempt attempt;
   double fraction = 0;
-  std::string stage, message;
+  std::string stage = {}, message = {};
   std::uint64_t revision = 0;
+};
+
+/// An attempt that its worker still has. `revision` is the stored one; it is above the told one where the store has
+/// raised it, and what is told next needs a greater one.
+struct Held {
+  Attempt attempt;
+  std::uint64_t revision = 0;
+  bool cancel_requested = false;
 };
 
 /// A callback that is to be delivered.

@@ -32,9 +32,10 @@ struct PostgresStatement {
   PostgresParameters parameters = {};
 };
 
-/// Longest times of calls: those of single rows, and those of pieces of setpoints and of many rows.
+/// Longest times of calls: those of single rows, and those of pieces of setpoints and of many rows. And the longest
+/// time between answers after which this process or the server may have stood still; a process asks each second.
 struct PostgresPatience {
-  std::chrono::milliseconds brief{2'000}, lengthy{30'000};
+  std::chrono::milliseconds brief{2'000}, lengthy{30'000}, silence{5'000};
 };
 
 class PostgresConnection {
@@ -66,6 +67,8 @@ class PostgresConnection {
   bool broken() const;  ///< whether a call has failed in a way after which the connection is of no use
   bool idle();          ///< whether it can take a call: unbroken, without a transaction, not closed by the server
   std::chrono::steady_clock::time_point since() const { return since_; }  ///< when it was made
+  bool used() const { return used_; }  ///< whether use() was called: what has to be done once over each has been done
+  void use() { used_ = true; }
 
  private:
   using Time = std::chrono::steady_clock::time_point;
@@ -78,6 +81,7 @@ class PostgresConnection {
   const PostgresPatience patience_;
   pg_conn* connection_ = nullptr;
   Time since_;
+  bool used_ = false;
   std::vector<std::pair<std::string, std::string>> prepared_;  ///< text and name
 };
 

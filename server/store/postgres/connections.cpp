@@ -40,10 +40,12 @@ std::unique_ptr<PostgresConnection> PostgresConnections::take() {
 void PostgresConnections::give(std::unique_ptr<PostgresConnection> connection) {
   connection->rollback();
   const bool good = connection->idle();
-  if (good)
+  if (good) {
     state_.read_only(connection->read_only());
-  else
+    state_.answered();
+  } else {
     state_.lost();
+  }
   const std::lock_guard lock(mutex_);
   --used_;
   if (good) free_.push_back(std::move(connection));

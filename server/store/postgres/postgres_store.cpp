@@ -1,5 +1,7 @@
 #include "server/store/postgres/postgres_store.hpp"
 
+#include <algorithm>
+
 #include "server/store/postgres/migrate.hpp"
 #include "server/store/postgres/moving.hpp"
 #include "server/store/postgres/partitions.hpp"
@@ -14,6 +16,7 @@ constexpr std::size_t own_connections = 2;  ///< that of leases, and that of sig
 
 PostgresStore::PostgresStore(PostgresOptions options)
     : options_(std::move(options)),
+      state_(options_.patience.silence),
       connections_(options_.url, options_.patience,
                    std::max(options_.connections, own_connections + 2) - own_connections, state_),
       leases_(options_.url, options_.patience, 1, state_) {
@@ -59,6 +62,18 @@ void PostgresStore::prepare(PostgresConnection& connection) {
   prepared_ = true;
 }
 
+/// Heartbeats are not waited for until they are on the disk: after a crash of the server the revision of a running job
+/// may be below one that clients have seen. So whoever connects first raises it, before it reads anything, where no
+/// heartbeat has come since the server's start; the attempt then counts as renewed at that start.
+void PostgresStore::raise_revisions(PostgresConnection& connection) const {
+  if (!options_.times_of_callers && !connection.read_only())
+    connection.run(
+        "UPDATE runs SET revision = revision + $1, lease_until = pg_postmaster_start_time() + lease_ms * interval "
+        "'1 ms' WHERE lease_until - lease_ms * interval '1 ms' < pg_postmaster_start_time()",
+        PostgresParameters() << lost_leap);
+  connection.use();
+}
+
 void PostgresStore::listen(std::function<void(const std::vector<Changed>&)> call) {
   const std::lock_guard lock(listener_mutex_);
   listener_ = std::move(call);
@@ -70,6 +85,8 @@ void PostgresStore::listen_to_others(std::function<void()> call) {
 
 void PostgresStore::publish(const std::vector<Changed>& changes) {
   if (changes.empty()) return;
+  if (std::any_of(changes.begin(), changes.end(), [](const Changed& c) { return c.state == api::JobState::queued; }))
+    ++queue_changes_;
   if (signals_) signals_->tell();
   const std::lock_guard lock(listener_mutex_);
   if (listener_) listener_(changes);

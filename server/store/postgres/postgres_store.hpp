@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -33,7 +34,7 @@ struct PostgresOptions {
   PostgresPatience patience = {};
   std::size_t connections =
       8;                    ///< most connections of the process: one for leases, one for signals, the others for all
-  std::size_t writers = 2;  ///< threads that commit posted jobs and progress
+  std::size_t writers = 2;  ///< threads that commit posted jobs
   bool signals = true;      ///< whether processes tell each other of changes (LISTEN, NOTIFY)
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
   /// store that is too new for the program.
@@ -69,8 +70,7 @@ class PostgresStore final : public Store {
   StoreState state() const override { return state_.now(); }
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
-  std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
-  void progress(Progressed progress, std::function<void()> done) override;
+  std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) override;
   bool end(const Attempt& attempt, const Ending& ending) override;
   bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, const SeenRevision& seen,
                Progress& progress) override;
@@ -100,9 +100,11 @@ class PostgresStore final : public Store {
   /// A posted job on its way into the database. Its id was given before, so that a commit whose answer is lost can be
   /// asked for again.
   struct Post;
-  struct Told {
-    Progressed progress;
-    std::function<void()> done;
+  /// A place in the queue, in whose order jobs are claimed; before all of them unless said otherwise.
+  struct QueuePlace {
+    std::int64_t rank = std::numeric_limits<std::int32_t>::min(), turn = std::numeric_limits<std::int64_t>::min();
+    std::string id = "00000000-0000-0000-0000-000000000000";
+    bool operator==(const QueuePlace&) const = default;
   };
   /// The step of a job out of the queue or out of its attempt.
   struct Step {
@@ -143,8 +145,10 @@ class PostgresStore final : public Store {
     return options_.times_of_callers ? std::optional(now) : std::nullopt;
   }
   void prepare(PostgresConnection& connection);
+  void raise_revisions(PostgresConnection& connection) const;
   void publish(const std::vector<Changed>& changes);
   void forget(const Attempt& attempt);  ///< the attempt is over
+  std::vector<std::string> given();     ///< returns the jobs of given_
   std::optional<api::Job> adopt(PostgresConnection& connection, const std::string& worker);
   std::uint64_t number_changes(PostgresConnection& connection);
   std::uint64_t numbered(PostgresConnection& connection);
@@ -152,7 +156,6 @@ class PostgresStore final : public Store {
   void write();
   void store_posts(std::vector<Post>& group);
   void store_group(PostgresConnection& connection, std::vector<Post*> group);
-  void store_told(std::vector<Told>& group);
 
   static PostgresStatement statement_of(const Step& step);
   static PostgresStatement lock_of(const std::string& id);
@@ -177,8 +180,12 @@ class PostgresStore final : public Store {
   std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;
   Uuid7 ids_;
-  std::mutex claim_mutex_;      ///< one claim at a time: suspects run alone in a process
-  bool claim_unknown_ = false;  ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
+  std::mutex claim_mutex_;         ///< one claim at a time: suspects run alone in a process
+  bool claim_unknown_ = false;     ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
+  QueuePlace claimed_up_to_;       ///< the last claim; guarded by claim_mutex_, as the two below
+  std::uint64_t known_queue_ = 0;  ///< value of queue_changes_ before it
+  std::chrono::steady_clock::time_point searched_all_{};  ///< the last claim that began at the head of the queue
+  std::atomic<std::uint64_t> queue_changes_{0};           ///< grows whenever a job is known to have been queued
   std::mutex given_mutex_;
   std::set<std::pair<std::string, std::int64_t>> given_;  ///< attempts (id, token) that claims have returned
   std::mutex listener_mutex_;
@@ -189,7 +196,6 @@ class PostgresStore final : public Store {
   std::mutex mutex_;  ///< guards what the writers take
   std::condition_variable wake_;
   std::deque<Post> posts_;
-  std::deque<Told> told_;
   bool stop_ = false;
   std::vector<std::thread> writers_;
   std::optional<PostgresSignals> signals_;
@@ -202,6 +208,7 @@ auto PostgresStore::with_connection_of(PostgresConnections& connections, bool ag
     try {
       PostgresConnections::Borrowed connection(connections);
       if (!prepared_) prepare(*connection);
+      if (!connection->used()) raise_revisions(*connection);
       return work(*connection);
     } catch (const StoreConflict&) {
       if (attempt == most) throw;

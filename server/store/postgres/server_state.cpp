@@ -54,7 +54,7 @@ void PostgresServerState::failed(const std::string& why) {
   const auto now = Clock::now();
   ++failures_;
   next_attempt_ = now + reconnection_delay(failures_, random_share());
-  unbroken_since_ = now;
+  outage(now);
   state_ = StoreState::away;
   if (logged_ != Clock::time_point{} && now < logged_ + between_lines) return;
   logged_ = now;
@@ -63,11 +63,29 @@ void PostgresServerState::failed(const std::string& why) {
 
 void PostgresServerState::lost() {
   const std::lock_guard lock(mutex_);
-  unbroken_since_ = Clock::now();
+  outage(Clock::now());
+}
+
+void PostgresServerState::outage(Clock::time_point now) {
+  outage_ = true;
+  unbroken_since_ = now;
+}
+
+void PostgresServerState::answered() {
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  if (answered_ != Clock::time_point{} && now > answered_ + silence_) outage(now);
+  answered_ = now;
 }
 
 milliseconds PostgresServerState::unbroken() const {
   const std::lock_guard lock(mutex_);
+  return std::chrono::duration_cast<milliseconds>(Clock::now() - unbroken_since_);
+}
+
+std::optional<milliseconds> PostgresServerState::since_outage() const {
+  const std::lock_guard lock(mutex_);
+  if (!outage_) return std::nullopt;
   return std::chrono::duration_cast<milliseconds>(Clock::now() - unbroken_since_);
 }
 

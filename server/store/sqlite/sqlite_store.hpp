@@ -54,8 +54,7 @@ class SqliteStore final : public Store {
   StoreStatus status() override;
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
-  std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
-  void progress(Progressed progress, std::function<void()> done) override;
+  std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) override;
   bool end(const Attempt& attempt, const Ending& ending) override;
   bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, const SeenRevision& seen,
                Progress& progress) override;

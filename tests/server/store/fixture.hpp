@@ -98,6 +98,15 @@ inline std::optional<api::Job> claim(Store& store, std::int64_t now, const std::
   return store.claim({worker, now, lease < 0 ? Lease::forever : now + lease});
 }
 
+/// A heartbeat of attempts without progress; returns those that the worker does not have any more.
+inline std::vector<Attempt> over(Store& store, const Lease& lease, const std::vector<Attempt>& attempts) {
+  std::vector<Progressed> told;
+  for (const Attempt& attempt : attempts) told.push_back({.attempt = attempt});
+  std::vector<Attempt> left = attempts;
+  for (const Held& held : store.heartbeat(lease, told)) std::erase(left, held.attempt);
+  return left;
+}
+
 struct StoreTest : testing::Test {
   void open(SqliteOptions options = {}) {
     store.reset();

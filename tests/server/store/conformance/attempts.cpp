@@ -1,5 +1,3 @@
-#include <future>
-
 #include "stores.hpp"
 
 namespace bahnwerk::server {
@@ -89,14 +87,58 @@ TYPED_TEST(Attempts, TakesNothingFromAPlannerWhoseJobWasPutBackAndClaimedAgain) 
   EXPECT_FALSE(store->succeed(stuck, ramp_plan(10), 4, nothing_seen, this->silent));
   EXPECT_FALSE(store->end(stuck, {JobState::failed, "{}", 4, 0}));
   EXPECT_FALSE(store->requeue(stuck, 4, 0));
-  EXPECT_EQ(store->heartbeat({"b", 4, 600}, {stuck}), std::vector{stuck});
-  std::promise<void> stored;
-  store->progress({stuck, 0.5, "half", "", 9}, [&] { stored.set_value(); });
-  stored.get_future().wait();
+  for (const char* const worker : {"a", "b"})
+    EXPECT_TRUE(store->heartbeat({worker, 4, 600}, {{stuck, 0.5, "half", "", 9}}).empty());
   EXPECT_EQ(store->get(id)->fraction, 0);
   EXPECT_EQ(store->get(id)->state, JobState::running);
   EXPECT_TRUE(this->other->succeed(later, ramp_plan(20), 5, nothing_seen, this->silent));
   EXPECT_EQ(store->series(id)->count, 20U);
+}
+
+TYPED_TEST(Attempts, AreToldOfTogetherByOneHeartbeat) {
+  auto& store = this->here;
+  this->queue(3);
+  std::vector<Attempt> attempts;
+  for (int k = 0; k < 3; ++k) attempts.push_back({claim(*store, 1000, "a", 500)->id, 1});
+  this->other->cancel(attempts[2].id, 1100);
+  const auto held = store->heartbeat(
+      {"a", 1200, 1700}, {{attempts[0], 0.25, "grid", "x", 20}, {{attempts[1].id, 2}}, {attempts[2], 0.5, "", "", 30}});
+  ASSERT_EQ(held.size(), 2U) << "one is another attempt";
+  for (const Held& each : held) {
+    const bool first = each.attempt == attempts[0];
+    EXPECT_TRUE(first || each.attempt == attempts[2]);
+    EXPECT_EQ(each.revision, first ? 20U : 30U);
+    EXPECT_EQ(each.cancel_requested, !first);
+  }
+  const auto job = this->other->get(attempts[0].id);
+  EXPECT_EQ(job->fraction, 0.25);
+  EXPECT_EQ(job->stage, "grid");
+  EXPECT_EQ(job->message, "x");
+  EXPECT_EQ(job->revision, 20U);
+  const auto late = store->heartbeat({"a", 1300, 1800}, {{attempts[0], 0.125, "late", "", 19}});
+  ASSERT_EQ(late.size(), 1U);
+  EXPECT_EQ(late[0].revision, 20U) << "the stored one is ahead";
+  EXPECT_EQ(store->get(attempts[0].id)->stage, "grid") << "what is older is not stored, but the lease is extended";
+  EXPECT_EQ(this->other->expire(1750).lost.size(), 2U);
+  EXPECT_EQ(store->get(attempts[0].id)->state, JobState::running);
+}
+
+TYPED_TEST(Attempts, FollowTheQueueWhateverComesBeforeTheLastClaim) {
+  auto& store = this->here;
+  this->queue(5);
+  const std::string first = claim(*store, 1)->id, second = claim(*store, 1)->id;
+  EXPECT_TRUE(store->requeue({first, 1}, 2, 0));
+  EXPECT_EQ(claim(*store, 3)->id, first) << "put back, it is the first again";
+  const std::string urgent = insert_id(*store, new_job(5));
+  EXPECT_EQ(claim(*store, 4)->id, urgent);
+  EXPECT_TRUE(this->other->requeue({second, 1}, 5, 0));
+  store->changes_since(0, 100);  // of which the process hears
+  EXPECT_EQ(claim(*store, 6)->id, second);
+  std::size_t more = 0;
+  while (claim(*store, 7)) ++more;
+  EXPECT_EQ(more, 3U);
+  EXPECT_TRUE(this->other->requeue({second, 2}, 8, 0));
+  EXPECT_EQ(claim(*store, 9)->id, second) << "nothing is left behind unheard";
 }
 
 TYPED_TEST(Attempts, Cancels) {

@@ -28,7 +28,7 @@ TYPED_TEST(Leases, GiveTheJobToAnotherWhenTheyRunOut) {
   EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 1600, nothing_seen, this->silent)) << "its attempt is over";
   EXPECT_FALSE(store->end({id, 1}, {JobState::failed, "{}", 1600, 0}));
   EXPECT_FALSE(store->requeue({id, 1}, 1600, 0));
-  EXPECT_EQ(store->heartbeat({"a", 1600, 2100}, {{id, 1}}), (std::vector<Attempt>{{id, 1}}));
+  EXPECT_EQ(over(*store, {"a", 1600, 2100}, {{id, 1}}).size(), 1U);
   EXPECT_EQ(store->get(id)->state, JobState::running);
   EXPECT_TRUE(this->other->succeed({id, 2}, ramp_plan(10), 1700, nothing_seen, this->silent));
 }
@@ -37,14 +37,14 @@ TYPED_TEST(Leases, AreExtendedByAHeartbeat) {
   auto& store = this->here;
   this->queue(2);
   const std::string kept = claim(*store, 1000, "a", 500)->id, left = claim(*store, 1000, "a", 500)->id;
-  EXPECT_TRUE(store->heartbeat({"a", 1400, 1900}, {{kept, 1}}).empty());
-  EXPECT_EQ(store->heartbeat({"b", 1400, 9000}, {{kept, 1}}).size(), 1U) << "of another worker";
-  EXPECT_EQ(store->heartbeat({"a", 1400, 9000}, {{kept, 2}}).size(), 1U) << "another attempt";
-  EXPECT_EQ(store->heartbeat({"a", 1400, 9000}, {{"none", 1}}).size(), 1U);
-  EXPECT_TRUE(store->heartbeat({"a", 1400, 9000}, {}).empty());
+  EXPECT_TRUE(over(*store, {"a", 1400, 1900}, {{kept, 1}}).empty());
+  EXPECT_EQ(over(*store, {"b", 1400, 9000}, {{kept, 1}}).size(), 1U) << "of another worker";
+  EXPECT_EQ(over(*store, {"a", 1400, 9000}, {{kept, 2}}).size(), 1U) << "another attempt";
+  EXPECT_EQ(over(*store, {"a", 1400, 9000}, {{"none", 1}}).size(), 1U);
+  EXPECT_TRUE(over(*store, {"a", 1400, 9000}, {}).empty());
   EXPECT_EQ(claim(*this->other, 1600, "b", 500)->id, left);
   EXPECT_FALSE(claim(*this->other, 1899, "b", 500));
-  EXPECT_TRUE(store->heartbeat({"a", 1950, 2500}, {{kept, 1}}).empty()) << "late, but nobody had noticed";
+  EXPECT_TRUE(over(*store, {"a", 1950, 2500}, {{kept, 1}}).empty()) << "late, but nobody had noticed";
   EXPECT_FALSE(store->expire(2050).lost == std::vector{kept});
   EXPECT_TRUE(store->end({kept, 1}, {JobState::failed, "{}", 2600, 0})) << "its attempt is still the one";
 }

@@ -46,9 +46,7 @@ TYPED_TEST(Looks, TellsWhichJobsRunWithTheirRevisions) {
   ASSERT_EQ(running.size(), 1U);
   EXPECT_EQ(running[0].id, first);
   EXPECT_EQ(running[0].revision, job->revision);
-  std::promise<void> kept;
-  store->progress({{job->id, job->token}, 0.5, "stage", "", job->revision + 7}, [&] { kept.set_value(); });
-  kept.get_future().wait();
+  store->heartbeat({"worker", 1, Lease::forever}, {{{job->id, job->token}, 0.5, "stage", "", job->revision + 7}});
   running = this->other->running();
   ASSERT_EQ(running.size(), 1U);
   EXPECT_EQ(running[0].revision, this->other->get(first, false)->revision);

@@ -1,4 +1,8 @@
 /// What the PostgreSQL store has beside what every store holds.
+#include <algorithm>
+#include <thread>
+
+#include "../postgres_wire.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/store/open.hpp"
 #include "server/store/postgres/migrate.hpp"
@@ -115,6 +119,105 @@ TEST_F(PostgresOnly, AConnectionThatTheServerEndsIsReplaced) {
   run("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'bahnwerk'");
   EXPECT_TRUE(store.get(id));
   EXPECT_TRUE(claim(store, 1));
+}
+
+TEST_F(PostgresOnly, WhatWasCommittedIsFoundWhereTheAnswerWasLost) {
+  PostgresWire wire(stores->url);
+  PostgresStore store({.url = wire.url(), .patience = PostgresServer::patient(), .times_of_callers = true});
+  wire.part("INSERT INTO jobs");
+  const Inserted inserted = insert(store, new_job(0, "key", "body"));
+  EXPECT_EQ(wire.parted(), 1);
+  EXPECT_EQ(inserted.what, Inserted::What::created);
+  EXPECT_EQ(stores->one().list({}).size(), 1U);
+  wire.part("INSERT INTO runs");
+  EXPECT_THROW(claim(store, 1000, "w", 500), StoreAway);
+  EXPECT_EQ(stores->one().get(inserted.id)->state, api::JobState::running);
+  std::optional<api::Job> job;
+  while (!job) try {
+      job = claim(store, 1000, "w", 500);
+    } catch (const StoreAway&) {  // the connections that the first loss made suspicious
+    }
+  EXPECT_EQ(job->id, inserted.id);
+  EXPECT_EQ(job->attempt, 1) << "the claim was carried out, once";
+  wire.part("UPDATE runs SET lease_until");
+  EXPECT_EQ(store.heartbeat({"w", 1100, 1600}, {{{job->id, 1}, 0.5, "grid", "", 9}}).size(), 1U);
+  wire.part("ended_by = $10");
+  EXPECT_TRUE(store.end({job->id, 1}, {.error = "{}", .now = 1200, .revision = 9})) << "it has ended by this call";
+  EXPECT_EQ(wire.parted(), 4);
+  EXPECT_FALSE(store.end({job->id, 1}, {.error = "{}", .now = 1300, .revision = 9}));
+  const std::string other = insert_id(store);
+  const Attempt attempt{claim(store, 2000, "w", 500)->id, 1};
+  EXPECT_EQ(attempt.id, other);
+  wire.part("ended_by");
+  EXPECT_TRUE(store.succeed(attempt, ramp_plan(10'000), 2100, nothing_seen, silent));
+  EXPECT_EQ(wire.parted(), 5);
+  EXPECT_EQ(stores->one().get(other)->state, api::JobState::succeeded);
+  EXPECT_EQ(inspect(stores->url), std::vector<std::string>{});
+}
+
+/// A store that measures by the database's clock, as in the service.
+struct ByItsClock {
+  explicit ByItsClock(const std::string& url) : store({.url = url, .patience = PostgresServer::patient()}) {}
+  /// Looks until the job is lost; returns how long that took since `from`.
+  std::chrono::steady_clock::duration lost(const std::string& id, std::chrono::steady_clock::time_point from) {
+    for (;;) {
+      const auto ids = store.expire(now_ms()).lost;
+      if (std::find(ids.begin(), ids.end(), id) != ids.end()) return std::chrono::steady_clock::now() - from;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  std::optional<api::Job> claim() { return store.claim({"dead", now_ms(), now_ms() + lease.count()}); }
+  static constexpr std::chrono::milliseconds lease{700};
+  PostgresStore store;
+};
+
+TEST_F(PostgresOnly, AfterAnOutageLeasesRunOutInAWholeLeaseAndTheirLossIsNotCounted) {
+  ByItsClock by(stores->url);
+  const std::string id = insert_id(by.store);
+  ASSERT_TRUE(by.claim());
+  run("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'bahnwerk'");
+  const auto outage = std::chrono::steady_clock::now();
+  EXPECT_GE(by.lost(id, outage), by.lease) << "whoever lives renews first";
+  EXPECT_EQ(run("SELECT losses FROM jobs"), "0") << "the worker may have been cut off";
+  EXPECT_EQ(by.store.get(id, false)->state, api::JobState::queued);
+}
+
+TEST_F(PostgresOnly, ALossThatNoOutageExplainsIsCounted) {
+  const std::string id = insert_id(stores->one());
+  // The server has been up for long, as far as the lease is concerned.
+  std::this_thread::sleep_for(ByItsClock::lease);
+  ByItsClock by(stores->url);
+  const auto start = std::chrono::steady_clock::now() - std::chrono::milliseconds(50);
+  ASSERT_TRUE(by.claim());
+  EXPECT_GE(by.lost(id, start), by.lease) << "the process begins by waiting for a whole lease, too";
+  EXPECT_EQ(run("SELECT losses FROM jobs"), "1");
+}
+
+TEST_F(PostgresOnly, RevisionsLeapOnceWhereACrashMayHaveUndoneHeartbeats) {
+  PostgresStore store({.url = stores->url, .patience = PostgresServer::patient()});
+  insert_many(store, 2);
+  const std::int64_t now = now_ms();
+  const Attempt attempt{claim(store, now, "w", 60'000)->id, 1}, other{claim(store, now, "w", 60'000)->id, 1};
+  const auto beat = [&](double fraction, std::uint64_t revision) {
+    const auto held = store.heartbeat({"w", now, now + 60'000}, {{attempt, fraction, "grid", "", revision}});
+    return held.size() == 1 ? held[0].revision : 0;
+  };
+  EXPECT_EQ(beat(0.5, 9), 9U);
+  // As if the server had started since.
+  run("UPDATE runs SET lease_until = pg_postmaster_start_time() + interval '59 s' WHERE id = '" + attempt.id + "'");
+  const auto revision = [&](const Attempt& of) {
+    run("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'bahnwerk'");
+    return store.get(of.id, false)->revision;
+  };
+  const std::uint64_t raised = 9 + lost_leap;
+  EXPECT_EQ(revision(attempt), raised);
+  EXPECT_EQ(revision(attempt), raised) << "by the first one alone that connects";
+  EXPECT_EQ(revision(other), 2U) << "of which was heard since the start";
+  EXPECT_EQ(beat(0.75, 12), raised) << "so the worker goes on above it";
+  EXPECT_EQ(store.get(attempt.id, false)->fraction, 0.5);
+  EXPECT_EQ(beat(0.75, raised + 1), raised + 1);
+  EXPECT_EQ(store.get(attempt.id, false)->fraction, 0.75);
+  EXPECT_EQ(revision(attempt), raised + 1) << "nothing can have been undone";
 }
 
 TEST_F(PostgresOnly, EachDayHasItsPartition) {
