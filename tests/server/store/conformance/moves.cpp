@@ -122,9 +122,8 @@ struct Moves : testing::Test {
     store.cancel(ids["asked"], job.now + 50);
     ids["running"] = insert_id(store, new_job(8));
     claim(store, job.now + 10);
-    std::promise<void> told;
-    store.progress({{ids["running"], 1}, 0.5, "planning", "half", 77}, [&] { told.set_value(); });
-    told.get_future().get();
+    EXPECT_EQ(store.heartbeat({"worker", job.now + 10}, {{{ids["running"], 1}, 0.5, "planning", "half", 77}}).size(),
+              1U);
 
     NewJob odd = new_job();
     odd.request.name = std::string("zero \0 there", 12);
