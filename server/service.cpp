@@ -169,7 +169,7 @@ Service::~Service() {
 /// Throws where others could reach the service without a key. A store that is away is asked for keys later.
 void Service::demand_keys(const ServiceOptions& options) const {
   try {
-    if (!list_keys(options.store).empty()) return;
+    if (!list_keys(options.store, options.shared_store.pooled).empty()) return;
   } catch (const StoreAway&) {
     return;
   }
@@ -207,7 +207,7 @@ void Service::follow_changes() {
     callbacks_->notify();
   };
   feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks),
-                                       options_.shared_store.signals ? poll_beside_signals : poll_alone);
+                                       options_.shared_store.hears() ? poll_beside_signals : poll_alone);
 }
 
 std::string Service::address() const { return listener_->address(); }

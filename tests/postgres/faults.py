@@ -36,11 +36,14 @@ def say(text):
 class Plant:
     """Two processes of each role on one database, which is away at first."""
 
-    def __init__(self, binary, database):
+    def __init__(self, binary, database, url=None, more=None):
+        """`more` gives further arguments for the process of a number: 0 and 1 serve, 2 and 3 plan."""
         arguments = ("--workers", "1", "--worker-nice", "0")
+        more = more or (lambda number: ("--store-notify", "off") if number == 1 else ())
+        url = url or database.url
         self.binary, self.database = binary, database
-        self.apis = [Service(binary, "--role", "api", *more, url=database.url) for more in ((), ("--store-notify", "off"))]
-        self.workers = [Service(binary, "--role", "worker", *arguments, url=database.url) for _ in range(2)]
+        self.apis = [Service(binary, "--role", "api", *more(number), url=url) for number in range(2)]
+        self.workers = [Service(binary, "--role", "worker", *arguments, *more(number), url=url) for number in (2, 3)]
         self.posted, self.lock = {}, threading.Lock()
 
     def all(self):

@@ -156,7 +156,7 @@ std::int64_t count_jobs(PostgresConnection& connection) {
 Keys read_all_keys(PostgresConnection& connection, const std::string& url) {
   Keys keys;
   keys.version = static_cast<std::uint64_t>(connection.run("SELECT version FROM key_version").integer(0, 0));
-  keys.list = list_keys(url);
+  keys.list = list_keys(url, false);
   return keys;
 }
 

@@ -36,6 +36,8 @@ struct PostgresOptions {
       8;                    ///< most connections of the process: one for leases, one for signals, the others for all
   std::size_t writers = 2;  ///< threads that commit posted jobs
   bool signals = true;      ///< whether processes tell each other of changes (LISTEN, NOTIFY)
+  PostgresSession session = PostgresSession::own;
+  std::string listen_url = {};  ///< where signals come from, which a pooler does not pass on; empty: `url`
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
   /// store that is too new for the program.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
@@ -175,7 +177,8 @@ class PostgresStore final : public Store {
   const PostgresOptions options_;
   const std::string process_ = random_id();  ///< names this process among those that share the store
   PostgresServerState state_;
-  PostgresConnections connections_, leases_;  ///< heartbeats do not wait for others
+  PostgresServerState listen_state_;                      ///< of the server of `listen_url`, where there is one
+  PostgresConnections connections_, leases_, listeners_;  ///< heartbeats do not wait for others
   std::mutex prepare_mutex_;
   std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;

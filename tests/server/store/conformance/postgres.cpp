@@ -220,6 +220,45 @@ TEST_F(PostgresOnly, RevisionsLeapOnceWhereACrashMayHaveUndoneHeartbeats) {
   EXPECT_EQ(revision(attempt), raised + 1) << "nothing can have been undone";
 }
 
+TEST_F(PostgresOnly, APooledSessionKeepsNothingAndPreparesNothing) {
+  PostgresConnection connection(stores->url, PostgresServer::patient(), PostgresSession::pooled);
+  const auto shown = [&](const char* setting) {
+    return connection.run("SELECT current_setting($1)", PostgresParameters() << setting).text(0, 0);
+  };
+  EXPECT_EQ(shown("search_path"), "bahnwerk") << "within a transaction";
+  EXPECT_EQ(connection.run_all({{"SELECT 1"}, {"SELECT 2"}}).at(1).integer(0, 0), 2);
+  connection.begin();
+  EXPECT_EQ(shown("lock_timeout"), "2s");
+  EXPECT_EQ(connection.run("SELECT id FROM jobs").size(), 0U);
+  connection.commit();
+  EXPECT_THROW(connection.run("SELECT 1 / 0"), StoreError);
+  EXPECT_TRUE(connection.idle());
+  connection.script("CREATE TEMPORARY TABLE left_over AS SELECT current_setting('search_path') AS path");
+  EXPECT_NE(connection.run("SELECT path FROM pg_temp.left_over").text(0, 0), "bahnwerk") << "outside of it";
+  EXPECT_EQ(connection.run("SELECT count(*) FROM pg_prepared_statements").integer(0, 0), 0);
+}
+
+TEST_F(PostgresOnly, WhatTheServerLacksIsNamedAndRefused) {
+  run("CREATE ROLE poor LOGIN; GRANT USAGE ON SCHEMA bahnwerk TO poor; GRANT ALL ON ALL TABLES IN SCHEMA bahnwerk TO "
+      "poor");
+  std::string url = stores->url;
+  url.replace(url.find("postgres@"), 9, "poor@");
+  const auto why = [&] {
+    try {
+      const PostgresStore store({.url = url, .patience = PostgresServer::patient(), .migrate = false});
+    } catch (const StoreRefused& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(why(), "");
+  run("REVOKE EXECUTE ON FUNCTION pg_current_snapshot() FROM PUBLIC; REVOKE UPDATE ON jobs FROM poor");
+  EXPECT_NE(why().find("pg_current_snapshot"), std::string::npos) << why();
+  EXPECT_EQ(why().find("advisory"), std::string::npos) << why();
+  run("REVOKE EXECUTE ON FUNCTION pg_try_advisory_xact_lock_shared(bigint) FROM PUBLIC");
+  EXPECT_NE(why().find("advisory locks"), std::string::npos) << why();
+}
+
 TEST_F(PostgresOnly, EachDayHasItsPartition) {
   EXPECT_EQ(run("SELECT count(*) >= 4 FROM pg_inherits WHERE inhparent = 'chunks'::regclass"), "t");
   NewJob job = new_job();

@@ -23,12 +23,13 @@ struct SqliteStores {
   std::unique_ptr<Store> store;
 };
 
-struct PostgresStores {
-  static constexpr const char* name = "Postgres";
+template <PostgresSession session>
+struct PostgresStoresBy {
+  static constexpr const char* name = session == PostgresSession::pooled ? "PostgresPooled" : "Postgres";
   static constexpr bool restart_ends_leases = false;
   static bool missing() { return PostgresServer::missing(); }
-  PostgresStores() { restart(); }
-  ~PostgresStores() {
+  PostgresStoresBy() { restart(); }
+  ~PostgresStoresBy() {
     first.reset();
     second.reset();
     PostgresServer::one().drop_database(url);
@@ -36,7 +37,8 @@ struct PostgresStores {
   void restart() {
     first.reset();
     second.reset();
-    const PostgresOptions options{.url = url, .patience = PostgresServer::patient(), .times_of_callers = true};
+    const PostgresOptions options{
+        .url = url, .patience = PostgresServer::patient(), .session = session, .times_of_callers = true};
     first = std::make_unique<PostgresStore>(options);
     second = std::make_unique<PostgresStore>(options);
   }
@@ -47,7 +49,11 @@ struct PostgresStores {
   std::unique_ptr<Store> first, second;
 };
 
-using Stores = testing::Types<SqliteStores, PostgresStores>;
+using PostgresStores = PostgresStoresBy<PostgresSession::own>;
+/// Each transaction sets what it needs, as behind a pooler that gives it another session.
+using PooledStores = PostgresStoresBy<PostgresSession::pooled>;
+
+using Stores = testing::Types<SqliteStores, PostgresStores, PooledStores>;
 struct StoreNames {
   template <class S>
   static std::string GetName(int) {
