@@ -120,8 +120,6 @@ class Store : public ChangeSource {
 
   /// Returns all keys, or nullopt if their version is `known`; 0 is that of a store that never had one.
   virtual std::optional<Keys> keys(std::uint64_t known) = 0;
-
-  virtual void checkpoint() = 0;  ///< empties side files; for an orderly end
 };
 
 inline std::optional<std::string> Store::result(const std::string& id) {

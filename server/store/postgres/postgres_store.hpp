@@ -94,7 +94,6 @@ class PostgresStore final : public Store {
   std::optional<std::string> read_view(const SeriesInfo& series, std::string_view name, std::size_t part) override;
   void put_views(const SeriesInfo& series, const std::vector<api::ViewPart>& parts, bool last) override;
   std::optional<Keys> keys(std::uint64_t known) override;
-  void checkpoint() override {}  ///< the server has nothing to be emptied
 
  private:
   using Statements = std::vector<PostgresStatement>;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/runtime/clock.hpp"
+#include "server/runtime/log.hpp"
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/migrate.hpp"
@@ -62,7 +63,13 @@ SqliteStore::SqliteStore(SqliteOptions options)
   recover(now_ms());
 }
 
-SqliteStore::~SqliteStore() = default;
+SqliteStore::~SqliteStore() {
+  try {
+    checkpoint();
+  } catch (const StoreError& error) {  // the next start does it
+    log::error("checkpoint_failed", {{"detail", error.what()}});
+  }
+}
 
 void SqliteStore::recover(std::int64_t now) {
   writer_.run([&](SqliteConnection& connection) {
