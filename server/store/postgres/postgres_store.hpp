@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "api/engine_level.hpp"
 #include "server/runtime/uuid7.hpp"
 #include "server/store/packed_text.hpp"
 #include "server/store/postgres/connections.hpp"
@@ -43,7 +44,7 @@ struct PostgresOptions {
   std::function<void(const std::string&)> refused = [](const std::string&) {};
   bool migrate = true;          ///< whether an older schema is brought up to date and partitions are made, or refused
   std::string planned_by = {};  ///< version of the program, which results keep
-  int engine = 0;               ///< level of the program's planners: jobs that need a higher one are left to others
+  int engine = api::engine_level;  ///< jobs that need a higher one are left to others
   /// Whether leases and deadlines are measured by the times that callers give, for tests. Otherwise the database's
   /// clock is the one of all processes.
   bool times_of_callers = false;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "api/engine_level.hpp"
 #include "server/runtime/uuid7.hpp"
 #include "server/store/packed_text.hpp"
 #include "server/store/rules.hpp"
@@ -27,8 +28,9 @@ struct SqliteOptions {
   int max_pages = 0;        ///< > 0 caps the file's size in pages of 4 KiB: a full disk on demand
   std::size_t reserve = 0;  ///< bytes of disk set aside, so that a full disk can be emptied
   Retention retention = {};
-  bool migrate = true;          ///< whether an older schema is brought up to date, or refused
-  std::string planned_by = {};  ///< version of the program, which results keep
+  bool migrate = true;             ///< whether an older schema is brought up to date, or refused
+  std::string planned_by = {};     ///< version of the program, which results keep
+  int engine = api::engine_level;  ///< jobs that need a higher one are left in the queue
   Writer::Observer observer = [](double, std::size_t) {};
 };
 

@@ -38,16 +38,6 @@ TEST_F(PostgresOnly, NumbersOfChangesGoOnWhereACrashHasEmptiedTheirTables) {
   EXPECT_EQ(stores->other().changes_since(after, 10).list.front().id, id);
 }
 
-TEST_F(PostgresOnly, AJobThatNeedsALaterEngineWaitsForOne) {
-  PostgresOptions later{
-      .url = stores->url, .patience = PostgresServer::patient(), .engine = 1, .times_of_callers = true};
-  PostgresStore newer(later);
-  const std::string id = insert_id(newer), plain = insert_id(stores->one());
-  EXPECT_EQ(claim(stores->one(), 1)->id, plain);
-  EXPECT_FALSE(claim(stores->one(), 1, "another"));
-  EXPECT_EQ(claim(newer, 1, "third")->id, id);
-}
-
 TEST_F(PostgresOnly, CountsAndAttemptsAgreeWithTheJobs) {
   Store& store = stores->one();
   for (int k = 0; k < 6; ++k) {

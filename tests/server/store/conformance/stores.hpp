@@ -12,9 +12,9 @@ struct SqliteStores {
   static constexpr bool restart_ends_leases = true;  ///< else they run out in their time
   static bool missing() { return false; }
   SqliteStores() { restart(); }
-  void restart() {
+  void restart(int engine = api::engine_level) {
     store.reset();
-    store = std::make_unique<SqliteStore>(SqliteOptions{.path = (folder.path / "store.db").string()});
+    store = std::make_unique<SqliteStore>(SqliteOptions{.path = (folder.path / "store.db").string(), .engine = engine});
   }
   Store& one() { return *store; }
   Store& other() { return *store; }
@@ -34,11 +34,14 @@ struct PostgresStoresBy {
     second.reset();
     PostgresServer::one().drop_database(url);
   }
-  void restart() {
+  void restart(int engine = api::engine_level) {
     first.reset();
     second.reset();
-    const PostgresOptions options{
-        .url = url, .patience = PostgresServer::patient(), .session = session, .times_of_callers = true};
+    const PostgresOptions options{.url = url,
+                                  .patience = PostgresServer::patient(),
+                                  .session = session,
+                                  .engine = engine,
+                                  .times_of_callers = true};
     first = std::make_unique<PostgresStore>(options);
     second = std::make_unique<PostgresStore>(options);
   }
@@ -69,8 +72,9 @@ struct Conformance : testing::Test {
     here = &stores->one();
     other = &stores->other();
   }
-  void restart() {
-    stores->restart();
+  /// Opens the stores again, as a program with planners of that level.
+  void restart(int engine = api::engine_level) {
+    stores->restart(engine);
     here = &stores->one();
     other = &stores->other();
   }
