@@ -200,7 +200,7 @@ def storing(binary):
         api = stack.enter_context(Service(binary, "--role", "api", url=database.url))
         stack.enter_context(Service(binary, *WORKER, url=database.url))
         id = api.post(large())
-        times, began, size = [], None, 0
+        times, began = [], None
         while True:
             job = api.json(f"/v1/jobs/{id}")
             if job["state"] not in ("queued", "running"):
