@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "server/runtime/clock.hpp"
-#include "server/runtime/log.hpp"
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/migrate.hpp"
@@ -63,13 +62,7 @@ SqliteStore::SqliteStore(SqliteOptions options)
   recover(now_ms());
 }
 
-SqliteStore::~SqliteStore() {
-  try {
-    checkpoint();
-  } catch (const StoreError& error) {  // the next start does it
-    log::error("checkpoint_failed", {{"detail", error.what()}});
-  }
-}
+SqliteStore::~SqliteStore() = default;  // SQLite empties the log when the last connection closes
 
 void SqliteStore::recover(std::int64_t now) {
   writer_.run([&](SqliteConnection& connection) {

@@ -78,7 +78,7 @@ class SqliteStore final : public Store {
   std::optional<std::string> read_view(const SeriesInfo& series, std::string_view name, std::size_t part) override;
   void put_views(const SeriesInfo& series, const std::vector<api::ViewPart>& parts, bool last) override;
   std::optional<Keys> keys(std::uint64_t known) override;
-  void checkpoint();  ///< empties the file's log; done at the end, too
+  void checkpoint();  ///< empties the file's log, as the end does, too
 
  private:
   class Reader;  ///< a borrowed reading connection
