@@ -235,7 +235,11 @@ int run(int argc, char** argv, const BuildInfo& build) {
   try {
     if (*serve_command) store = options.store;
     if (*move_command) return move(store_url(from), store_url(to), password_file);
-    if (!password_file.empty()) store = with_password(store, password_file);
+    if (!password_file.empty()) {
+      store = with_password(store, password_file);
+      std::string& listen_url = options.shared_store.listen_url;
+      if (!listen_url.empty()) listen_url = with_password(listen_url, password_file);
+    }
     options.store = store;
     if (*serve_command) return run_serve(*serve_command, options, level);
     if (*plan_command) return plan(read_job(job, contour), out, layout, frame, drives);

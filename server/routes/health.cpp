@@ -42,7 +42,8 @@ Response metrics(Context& context) {
                            .store_bytes = store.bytes,
                            .store_log_bytes = store.log_bytes,
                            .store_free_bytes = store.free_bytes,
-                           .callbacks = static_cast<double>(store.callbacks)});
+                           .callbacks = static_cast<double>(store.callbacks),
+                           .beyond_engine = static_cast<double>(store.beyond_engine)});
   return uncached(text_answer(200, "text/plain; version=0.0.4; charset=utf-8", context.metrics.text()));
 }
 

@@ -60,6 +60,8 @@ struct Metrics::State {
   prometheus::Gauge& store = gauge("bahnwerk_store_bytes", "Size of the store's file, bytes");
   prometheus::Gauge& store_log = gauge("bahnwerk_store_log_bytes", "Size of the store's log, bytes");
   prometheus::Gauge& store_free = gauge("bahnwerk_store_free_bytes", "Bytes free on the store's disk");
+  prometheus::Gauge& beyond_engine =
+      gauge("bahnwerk_jobs_beyond_engine", "Queued jobs that need planners of a later version than this process has");
   prometheus::Gauge& callbacks = gauge("bahnwerk_callbacks_pending", "Callbacks of ended jobs that wait for delivery");
   prometheus::Family<prometheus::Counter>& callback_attempts = prometheus::BuildCounter()
                                                                    .Name("bahnwerk_callback_attempts_total")
@@ -133,6 +135,7 @@ void Metrics::observe(const Observed& observed) {
   state_->store_log.Set(observed.store_log_bytes);
   state_->store_free.Set(observed.store_free_bytes);
   state_->callbacks.Set(observed.callbacks);
+  state_->beyond_engine.Set(observed.beyond_engine);
 }
 
 void Metrics::planned(std::string_view kind, std::string_view state, double seconds) {

@@ -33,7 +33,7 @@ class Metrics {
     double resident_bytes = 0, max_memory_bytes = 0, descriptors = 0, max_descriptors = 0, workers = 0,
            busy_workers = 0;
     double oldest_queued_seconds = 0, store_bytes = 0, store_log_bytes = 0, store_free_bytes = 0;
-    double callbacks = 0;
+    double callbacks = 0, beyond_engine = 0;
   };
   void observe(const Observed& observed);
   std::string text() const;  ///< Prometheus text format 0.0.4

@@ -37,12 +37,16 @@ std::string prepared_path(const std::string& url) {
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
                                   std::size_t reserve, const Retention& retention, const SharedStoreOptions& shared) {
   check_store(url);
+  if (!shared.listen_url.empty() && !(names_postgres(url) && names_postgres(shared.listen_url)))
+    throw StoreError("--store-listen-url names a PostgreSQL server, postgresql://…, beside a store there", false);
   if (names_postgres(url)) {
     PostgresOptions options;
     options.url = url;
     options.retention = retention;
     options.connections = shared.connections;
-    options.signals = shared.signals;
+    options.signals = shared.hears();
+    options.session = shared.pooled ? PostgresSession::pooled : PostgresSession::own;
+    options.listen_url = shared.listen_url;
     options.migrate = shared.migrate;
     options.planned_by = shared.planned_by;
     options.refused = shared.refused;
@@ -91,8 +95,8 @@ std::vector<Key> remove_keys(const std::string& url, const std::string& name_or_
   return names_postgres(url) ? postgres::remove_keys(url, name_or_id) : sqlite::remove_keys(url, name_or_id);
 }
 
-std::vector<Key> list_keys(const std::string& url) {
-  return names_postgres(url) ? postgres::list_keys(url) : sqlite::list_keys(url);
+std::vector<Key> list_keys(const std::string& url, bool pooled) {
+  return names_postgres(url) ? postgres::list_keys(url, pooled) : sqlite::list_keys(url);
 }
 
 }  // namespace bahnwerk::server

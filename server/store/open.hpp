@@ -21,8 +21,13 @@ struct SharedStoreOptions {
   std::string planned_by = {};  ///< version of the program, which results keep
   std::size_t connections = 8;  ///< most connections to its server
   bool signals = true;          ///< whether processes tell each other of changes, beside polling
+  bool pooled = false;          ///< whether a pooler gives each transaction another session of the server
+  std::string listen_url = {};  ///< where signals come from, past a pooler; empty: the store's URL, if it is not pooled
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process for good.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
+
+  /// Returns whether signals of others can come.
+  bool hears() const { return signals && (!pooled || !listen_url.empty()); }
 };
 
 /// Opens the store named by a URL: sqlite:PATH (a missing directory is created), or a connection URI of PostgreSQL.
@@ -54,6 +59,7 @@ std::vector<std::string> inspect(const std::string& url);
 /// StoreError with a sentence for the operator.
 void add_key(const std::string& url, const Key& key);
 std::vector<Key> remove_keys(const std::string& url, const std::string& name_or_id);
-std::vector<Key> list_keys(const std::string& url);  ///< removed ones included
+/// `pooled`: see SharedStoreOptions.
+std::vector<Key> list_keys(const std::string& url, bool pooled = false);  ///< removed ones included
 
 }  // namespace bahnwerk::server

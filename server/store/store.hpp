@@ -52,9 +52,9 @@ class Store : public ChangeSource {
   // is not running any more, or runs another attempt.
 
   /// Claims the next job: highest priority, then first come; it becomes `running`, and its attempt number and its
-  /// token increase by one. No job is given to two callers. Attempts whose lease ran out before `lease.now` are lost
-  /// first, as in `expire`. A job with a lost attempt is given to a worker that runs no other one, and that gets none
-  /// until it has ended.
+  /// token increase by one. No job is given to two callers. Jobs that need planners of a later version are left.
+  /// Attempts whose lease ran out before `lease.now` are lost first, as in `expire`. A job with a lost attempt is given
+  /// to a worker that runs no other one, and that gets none until it has ended.
   virtual std::optional<api::Job> claim(const Lease& lease) = 0;
   /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed, and
   /// stores their progress where its revision is not below the stored one. Returns these attempts; the others ended or
@@ -120,8 +120,6 @@ class Store : public ChangeSource {
 
   /// Returns all keys, or nullopt if their version is `known`; 0 is that of a store that never had one.
   virtual std::optional<Keys> keys(std::uint64_t known) = 0;
-
-  virtual void checkpoint() = 0;  ///< empties side files; for an orderly end
 };
 
 inline std::optional<std::string> Store::result(const std::string& id) {

@@ -47,6 +47,7 @@ struct StoreStatus {
   double free_bytes = 0;                      ///< bytes that may still be written; infinity: unknown
   std::optional<std::int64_t> oldest_queued;  ///< when the job that waits longest was posted, ms since 1970 UTC
   std::size_t callbacks = 0;                  ///< callbacks that are to be delivered
+  std::size_t beyond_engine = 0;              ///< queued jobs that need planners of a later version
 };
 
 inline constexpr std::int64_t ms_per_day = 86'400'000;

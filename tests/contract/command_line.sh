@@ -78,6 +78,8 @@ refused "pg_dump" "$bahnwerk" migrate-store "postgresql://me@/x?host=$work" "pos
 refused "has no password" "$bahnwerk" serve --listen 127.0.0.1:0 --store "postgresql://me@/x?host=$work" --store-password-file "$work/none"
 refused "is for a store postgresql" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/a.db" --store-password-file "$work/none"
 refused "not in {on,off}" "$bahnwerk" serve --store-notify maybe
+refused "not in {on,off}" "$bahnwerk" serve --store-prepared maybe
+refused "names a PostgreSQL server" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/a.db" --store-listen-url "postgresql://me@/x?host=$work"
 refused "unsupported store" "$bahnwerk" serve --listen 127.0.0.1:0 --store /tmp/x.db
 refused "is no address" "$bahnwerk" serve --listen nonsense --store "sqlite:$work/a.db"
 refused "is no port" "$bahnwerk" serve --listen 127.0.0.1:99999 --store "sqlite:$work/a.db"
@@ -168,7 +170,7 @@ done
 client 0 serve --help
 mapfile -t flags < <(grep -o 'Env:BAHNWERK_[A-Z_]*' "$work/out" | sort -u | sed 's/Env:BAHNWERK_//')
 ((${#flags[@]} >= 14)) || fail "help names ${#flags[@]} variables"
-declare -A good=([LISTEN]= [STORE]= [WORKERS]=1 [ROLE]=all [STORE_NOTIFY]=off [STORE_MIGRATE]=auto [STORE_CONNECTIONS]=8 [HTTP_THREADS]=1 [MAX_QUEUED]=5 [MAX_BODY]=1MiB [MAX_CONNECTIONS]=9
+declare -A good=([LISTEN]= [STORE]= [WORKERS]=1 [ROLE]=all [STORE_NOTIFY]=off [STORE_PREPARED]=on [STORE_MIGRATE]=auto [STORE_CONNECTIONS]=8 [HTTP_THREADS]=1 [MAX_QUEUED]=5 [MAX_BODY]=1MiB [MAX_CONNECTIONS]=9
   [HEADER_TIMEOUT]=5 [BODY_TIMEOUT]=5 [IDLE_TIMEOUT]=5 [WRITE_TIMEOUT]=5 [DRAIN_TIMEOUT]=1 [LOG_LEVEL]=debug)
 for name in "${flags[@]}"; do
   [[ -v "good[$name]" ]] || continue

@@ -31,6 +31,7 @@ struct MovedJob {
   std::int64_t callback_attempts = 0;
   std::optional<std::int64_t> callback_due, callback_delivered;
   std::optional<std::string> callback_error;
+  std::int64_t needs = 0;                                             ///< level of planners
   std::vector<std::pair<std::string, std::string>> idempotency_keys;  ///< key and hash of the body
   std::int64_t key = 0;  ///< by which its store finds what belongs to the job, beside the id
 };

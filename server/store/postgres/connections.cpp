@@ -5,7 +5,7 @@ namespace bahnwerk::server {
 std::unique_ptr<PostgresConnection> PostgresConnections::make() const {
   state_.begin_attempt();
   try {
-    auto connection = std::make_unique<PostgresConnection>(url_, patience_);
+    auto connection = std::make_unique<PostgresConnection>(url_, patience_, session_);
     state_.connected(connection->read_only());
     return connection;
   } catch (const std::exception& error) {

@@ -14,8 +14,9 @@ namespace bahnwerk::server {
 
 class PostgresConnections {
  public:
-  PostgresConnections(std::string url, PostgresPatience patience, std::size_t most, PostgresServerState& state)
-      : url_(std::move(url)), patience_(patience), most_(most), state_(state) {}
+  PostgresConnections(std::string url, PostgresPatience patience, std::size_t most, PostgresServerState& state,
+                      PostgresSession session = PostgresSession::own)
+      : url_(std::move(url)), patience_(patience), session_(session), most_(most), state_(state) {}
 
   /// A connection in use; given back by the destructor.
   class Borrowed {
@@ -41,6 +42,7 @@ class PostgresConnections {
 
   const std::string url_;
   const PostgresPatience patience_;
+  const PostgresSession session_;
   const std::size_t most_;
   PostgresServerState& state_;
   std::mutex mutex_;

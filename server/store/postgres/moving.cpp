@@ -24,7 +24,7 @@ constexpr std::string_view moved_columns =
     "coalesce(r.fraction, j.fraction), coalesce(r.stage, j.stage), coalesce(r.message, j.message), j.attempt, j.token, "
     "j.losses, j.suspect, j.cancel_requested, j.created_at, j.started_at, j.finished_at, j.error, "
     "greatest(j.revision, r.revision), j.callback, j.callback_secret, j.callback_receiver, j.callback_attempts, "
-    "j.callback_due, j.callback_delivered, j.callback_error";
+    "j.callback_due, j.callback_delivered, j.callback_error, j.needs";
 
 MovedJob job_of(const PostgresRows& rows, std::size_t row) {
   MovedJob job;
@@ -68,6 +68,7 @@ MovedJob job_of(const PostgresRows& rows, std::size_t row) {
   job.callback_due = maybe_time();
   job.callback_delivered = maybe_time();
   job.callback_error = maybe_text();
+  job.needs = integer();
   return job;
 }
 
@@ -156,7 +157,7 @@ std::int64_t count_jobs(PostgresConnection& connection) {
 Keys read_all_keys(PostgresConnection& connection, const std::string& url) {
   Keys keys;
   keys.version = static_cast<std::uint64_t>(connection.run("SELECT version FROM key_version").integer(0, 0));
-  keys.list = list_keys(url);
+  keys.list = list_keys(url, false);
   return keys;
 }
 
@@ -321,13 +322,13 @@ class PostgresMoveTarget final : public MoveTarget {
     values.time(job.created_at).time(job.started_at).time(job.finished_at)
         << job.error << job.revision << job.callback << job.callback_secret << job.callback_receiver
         << job.callback_attempts;
-    values.time(job.callback_due).time(job.callback_delivered) << job.callback_error;
+    values.time(job.callback_due).time(job.callback_delivered) << job.callback_error << job.needs;
     add_statement(
         "WITH job AS (INSERT INTO jobs (id, kind, name, reference, owner, tags, rank, turn, deadline, time_budget, "
         "state, fraction, stage, message, attempt, token, losses, suspect, cancel_requested, created_at, started_at, "
         "finished_at, error, revision, callback, callback_secret, callback_receiver, callback_attempts, callback_due, "
         "callback_delivered, callback_error, needs) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13, "
-        "$14, $15, $16, $17, $18, $19, $20, $21, $22, $23, $24, $25, $26, $27, $28, $29, $30, $31, 0) RETURNING id, "
+        "$14, $15, $16, $17, $18, $19, $20, $21, $22, $23, $24, $25, $26, $27, $28, $29, $30, $31, $32) RETURNING id, "
         "owner, tags) INSERT INTO job_tags (owner, tag, id) SELECT who.owner, tag, job.id FROM job, unnest(job.tags) "
         "AS tag, LATERAL (SELECT '' AS owner UNION SELECT job.owner WHERE job.owner IS NOT NULL) AS who",
         std::move(values));

@@ -6,6 +6,7 @@
 #include "server/store/postgres/moving.hpp"
 #include "server/store/postgres/partitions.hpp"
 #include "server/store/postgres/post.hpp"
+#include "server/store/postgres/requirements.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -17,9 +18,12 @@ constexpr std::size_t own_connections = 2;  ///< that of leases, and that of sig
 PostgresStore::PostgresStore(PostgresOptions options)
     : options_(std::move(options)),
       state_(options_.patience.silence),
+      listen_state_(options_.patience.silence, "signals"),
       connections_(options_.url, options_.patience,
-                   std::max(options_.connections, own_connections + 2) - own_connections, state_),
-      leases_(options_.url, options_.patience, 1, state_) {
+                   std::max(options_.connections, own_connections + 2) - own_connections, state_, options_.session),
+      leases_(options_.url, options_.patience, 1, state_, options_.session),
+      listeners_(options_.listen_url.empty() ? options_.url : options_.listen_url, options_.patience, 1,
+                 options_.listen_url.empty() ? state_ : listen_state_) {
   try {
     PostgresConnections::Borrowed connection(connections_);
     prepare(*connection);
@@ -29,7 +33,7 @@ PostgresStore::PostgresStore(PostgresOptions options)
     if (!error.busy) throw;
   }
   for (std::size_t k = 0; k < options_.writers; ++k) writers_.emplace_back([this] { write(); });
-  if (options_.signals) signals_.emplace(connections_, process_);
+  if (options_.signals) signals_.emplace(listeners_, process_);
 }
 
 PostgresStore::~PostgresStore() {
@@ -51,7 +55,9 @@ PostgresStore::~PostgresStore() {
 void PostgresStore::prepare(PostgresConnection& connection) {
   const std::lock_guard lock(prepare_mutex_);
   if (prepared_) return;
+  require_capabilities(connection);
   options_.migrate ? migrate(connection) : require_up_to_date(connection);
+  require_queue(connection);
   postgres::refuse_unfinished_move(connection);
   const auto last = connection.run("SELECT id FROM jobs ORDER BY id DESC LIMIT 1");
   if (!last.empty()) {

@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "api/engine_level.hpp"
 #include "server/runtime/uuid7.hpp"
 #include "server/store/packed_text.hpp"
 #include "server/store/postgres/connections.hpp"
@@ -36,12 +37,14 @@ struct PostgresOptions {
       8;                    ///< most connections of the process: one for leases, one for signals, the others for all
   std::size_t writers = 2;  ///< threads that commit posted jobs
   bool signals = true;      ///< whether processes tell each other of changes (LISTEN, NOTIFY)
+  PostgresSession session = PostgresSession::own;
+  std::string listen_url = {};  ///< where signals come from, which a pooler does not pass on; empty: `url`
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
   /// store that is too new for the program.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
   bool migrate = true;          ///< whether an older schema is brought up to date and partitions are made, or refused
   std::string planned_by = {};  ///< version of the program, which results keep
-  int engine = 0;               ///< level of the program's planners: jobs that need a higher one are left to others
+  int engine = api::engine_level;  ///< jobs that need a higher one are left to others
   /// Whether leases and deadlines are measured by the times that callers give, for tests. Otherwise the database's
   /// clock is the one of all processes.
   bool times_of_callers = false;
@@ -92,7 +95,6 @@ class PostgresStore final : public Store {
   std::optional<std::string> read_view(const SeriesInfo& series, std::string_view name, std::size_t part) override;
   void put_views(const SeriesInfo& series, const std::vector<api::ViewPart>& parts, bool last) override;
   std::optional<Keys> keys(std::uint64_t known) override;
-  void checkpoint() override {}  ///< the server has nothing to be emptied
 
  private:
   using Statements = std::vector<PostgresStatement>;
@@ -175,7 +177,8 @@ class PostgresStore final : public Store {
   const PostgresOptions options_;
   const std::string process_ = random_id();  ///< names this process among those that share the store
   PostgresServerState state_;
-  PostgresConnections connections_, leases_;  ///< heartbeats do not wait for others
+  PostgresServerState listen_state_;                      ///< of the server of `listen_url`, where there is one
+  PostgresConnections connections_, leases_, listeners_;  ///< heartbeats do not wait for others
   std::mutex prepare_mutex_;
   std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;

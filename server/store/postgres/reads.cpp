@@ -46,12 +46,15 @@ StoreStatus PostgresStore::status() {
   return reading([&](PostgresConnection& connection) {
     const auto rows = connection.run_lengthy(
         "SELECT pg_database_size(current_database()), (SELECT created_at FROM jobs WHERE state = 'queued' ORDER BY id "
-        "LIMIT 1), (SELECT count(*) FROM jobs WHERE callback_due IS NOT NULL)");
+        "LIMIT 1), (SELECT count(*) FROM jobs WHERE callback_due IS NOT NULL), (SELECT count(*) FROM jobs WHERE state "
+        "= 'queued' AND needs > 0 AND needs > $1)",
+        PostgresParameters() << std::int64_t{options_.engine});
     StoreStatus status;
     status.bytes = static_cast<double>(rows.integer(0, 0));
     status.free_bytes = std::numeric_limits<double>::infinity();
     status.oldest_queued = rows.optional_time(0, 1);
     status.callbacks = static_cast<std::size_t>(rows.integer(0, 2));
+    status.beyond_engine = static_cast<std::size_t>(rows.integer(0, 3));
     return status;
   });
 }

@@ -58,7 +58,7 @@ void PostgresServerState::failed(const std::string& why) {
   state_ = StoreState::away;
   if (logged_ != Clock::time_point{} && now < logged_ + between_lines) return;
   logged_ = now;
-  log::error("store_away", {{"detail", why}, {"attempts", failures_}});
+  log::error(name_ + "_away", {{"detail", why}, {"attempts", failures_}});
 }
 
 void PostgresServerState::lost() {
@@ -92,7 +92,7 @@ std::optional<milliseconds> PostgresServerState::since_outage() const {
 void PostgresServerState::enter(StoreState state) {
   if (state == state_) return;
   state_ = state;
-  log::info(state == StoreState::read_only ? "store_read_only" : "store_up");
+  log::info(name_ + (state == StoreState::read_only ? "_read_only" : "_up"));
 }
 
 }  // namespace bahnwerk::server

@@ -17,7 +17,9 @@ std::chrono::milliseconds reconnection_delay(int failures, double share);
 class PostgresServerState {
  public:
   /// `silence`: see PostgresPatience.
-  explicit PostgresServerState(std::chrono::milliseconds silence) : silence_(silence) {}
+  /// What is logged begins with `name`.
+  explicit PostgresServerState(std::chrono::milliseconds silence, std::string name = "store")
+      : silence_(silence), name_(std::move(name)) {}
   StoreState now() const;
   /// Has to be called before a connection is made. While the server is away, throws StoreAway until the delay has
   /// passed, and while another thread tries.
@@ -38,6 +40,7 @@ class PostgresServerState {
   void enter(StoreState state);
   void outage(Clock::time_point now);
   const std::chrono::milliseconds silence_;
+  const std::string name_;
   mutable std::mutex mutex_;
   StoreState state_ = StoreState::away;
   int failures_ = 0;

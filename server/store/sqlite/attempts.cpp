@@ -18,8 +18,9 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
         leftovers.reset();
         lose(connection, lease.now, lease.now, max_expired_at_once);
         Query next = connection.query(
-            "SELECT seq, suspect FROM jobs INDEXED BY jobs_queue WHERE state = 'queued' "
+            "SELECT seq, suspect FROM jobs INDEXED BY jobs_queue WHERE state = 'queued' AND needs <= ? "
             "ORDER BY priority DESC, turn, seq LIMIT 1");
+        next << std::int64_t{options_.engine};
         if (!next.step()) return;
         const std::int64_t seq = next.integer(0);
         // A suspect waits until nothing else runs in this process, and the others until it has ended.

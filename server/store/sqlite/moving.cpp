@@ -72,6 +72,7 @@ MovedJob job_of(const Query& row) {
   job.callback_due = maybe_integer();
   job.callback_delivered = maybe_integer();
   job.callback_error = maybe_text();
+  job.needs = integer();
   return job;
 }
 
@@ -80,7 +81,7 @@ constexpr std::string_view moved_columns =
     "seq, id, kind, name, reference, owner, tags, priority, turn, deadline, time_budget, state, fraction, stage, "
     "message, attempt, token, losses, suspect, cancel_requested, created_at, started_at, finished_at, error, revision, "
     "callback, callback_secret, callback_receiver, callback_attempts, callback_due, callback_delivered, "
-    "callback_error";
+    "callback_error, needs";
 
 /// Idempotency keys of an owner stand behind the owner's name and a line feed.
 std::string owner_prefix(const MovedJob& job) { return job.owner ? *job.owner + "\n" : ""; }
@@ -275,7 +276,7 @@ class SqliteMoveTarget final : public MoveTarget {
             .append(moved_columns)
             .append(
                 ", changed) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-                "?, ?, ?, ?, ?, ?)");
+                "?, ?, ?, ?, ?, ?, ?)");
     Query row = connection_.query(sql);
     row << seq_ << job.id << job.kind << job.name << job.reference << job.owner
         << (job.tags.empty() ? std::nullopt : std::optional(nlohmann::json(job.tags).dump())) << job.priority
@@ -283,7 +284,7 @@ class SqliteMoveTarget final : public MoveTarget {
         << job.message << job.attempt << job.token << job.losses << std::int64_t{job.suspect}
         << std::int64_t{job.cancel_requested} << job.created_at << job.started_at << job.finished_at << job.error
         << job.revision << job.callback << job.callback_secret << job.callback_receiver << job.callback_attempts
-        << job.callback_due << job.callback_delivered << job.callback_error << changed_;
+        << job.callback_due << job.callback_delivered << job.callback_error << job.needs << changed_;
     row.run();
     for (const auto& [key, hash] : job.idempotency_keys)
       (connection_.query("INSERT INTO idempotency_keys (key, body_hash, seq) VALUES (?, ?, ?)")

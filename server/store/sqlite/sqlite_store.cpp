@@ -62,7 +62,7 @@ SqliteStore::SqliteStore(SqliteOptions options)
   recover(now_ms());
 }
 
-SqliteStore::~SqliteStore() = default;
+SqliteStore::~SqliteStore() = default;  // SQLite empties the log when the last connection closes
 
 void SqliteStore::recover(std::int64_t now) {
   writer_.run([&](SqliteConnection& connection) {
@@ -116,13 +116,14 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
   const api::JobRequest& r = job.request;
   Query insert = connection.query(
       "INSERT INTO jobs (id, kind, name, reference, callback, priority, deadline, time_budget, state, created_at, "
-      "changed, owner, turn, callback_secret, callback_receiver, tags) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'queued', ?, ?, ?, ?, ?, ?, ?) RETURNING seq");
+      "changed, owner, turn, callback_secret, callback_receiver, tags, needs) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'queued', ?, ?, ?, ?, ?, ?, ?, ?) RETURNING seq");
   const std::int64_t change = changes_.next();
   insert << id << r.kind << r.name << r.reference << (r.callback ? std::optional(r.callback->url) : std::nullopt)
          << std::int64_t{r.priority} << r.deadline << r.time_budget << job.now << change << job.owner
          << next_turn(connection, job) << (r.callback ? r.callback->secret : std::nullopt) << job.callback_receiver
-         << (r.tags.empty() ? std::nullopt : std::optional(nlohmann::json(r.tags).dump()));
+         << (r.tags.empty() ? std::nullopt : std::optional(nlohmann::json(r.tags).dump()))
+         << std::int64_t{options_.engine};
   insert.step();
   const std::int64_t seq = insert.integer(0);
   insert.step();

@@ -33,6 +33,28 @@ TYPED_TEST(Leases, GiveTheJobToAnotherWhenTheyRunOut) {
   EXPECT_TRUE(this->other->succeed({id, 2}, ramp_plan(10), 1700, nothing_seen, this->silent));
 }
 
+TYPED_TEST(Leases, AreNotTakenOfJobsThatNeedPlannersOfALaterVersion) {
+  this->restart(api::engine_level + 1);
+  NewJob urgent = new_job(1);
+  const std::string later = insert_id(*this->here, urgent);
+  EXPECT_EQ(this->here->status().beyond_engine, 0U);
+  this->restart();
+  const std::string own = insert_id(*this->here);
+  EXPECT_EQ(this->here->status().beyond_engine, 1U);
+  EXPECT_EQ(claim(*this->here, 1, "a")->id, own) << "behind it in the queue";
+  EXPECT_TRUE(this->here->end({own, 1}, {JobState::failed, "{}", 2, 0}));
+  EXPECT_FALSE(claim(*this->other, 3, "b"));
+  EXPECT_EQ(this->here->get(later)->state, JobState::queued);
+  EXPECT_EQ(this->here->counts().at(JobState::queued), 1U);
+  this->restart(api::engine_level + 1);
+  EXPECT_EQ(claim(*this->other, 4, "c")->id, later);
+  EXPECT_EQ(this->here->status().beyond_engine, 0U);
+  this->restart(api::engine_level + 2);
+  EXPECT_FALSE(insert_id(*this->here).empty());
+  this->restart();
+  EXPECT_EQ(this->here->cancel(this->here->queue(10).back(), 5)->state, JobState::cancelled) << "clients may end it";
+}
+
 TYPED_TEST(Leases, AreExtendedByAHeartbeat) {
   auto& store = this->here;
   this->queue(2);

@@ -38,16 +38,6 @@ TEST_F(PostgresOnly, NumbersOfChangesGoOnWhereACrashHasEmptiedTheirTables) {
   EXPECT_EQ(stores->other().changes_since(after, 10).list.front().id, id);
 }
 
-TEST_F(PostgresOnly, AJobThatNeedsALaterEngineWaitsForOne) {
-  PostgresOptions later{
-      .url = stores->url, .patience = PostgresServer::patient(), .engine = 1, .times_of_callers = true};
-  PostgresStore newer(later);
-  const std::string id = insert_id(newer), plain = insert_id(stores->one());
-  EXPECT_EQ(claim(stores->one(), 1)->id, plain);
-  EXPECT_FALSE(claim(stores->one(), 1, "another"));
-  EXPECT_EQ(claim(newer, 1, "third")->id, id);
-}
-
 TEST_F(PostgresOnly, CountsAndAttemptsAgreeWithTheJobs) {
   Store& store = stores->one();
   for (int k = 0; k < 6; ++k) {
@@ -218,6 +208,45 @@ TEST_F(PostgresOnly, RevisionsLeapOnceWhereACrashMayHaveUndoneHeartbeats) {
   EXPECT_EQ(beat(0.75, raised + 1), raised + 1);
   EXPECT_EQ(store.get(attempt.id, false)->fraction, 0.75);
   EXPECT_EQ(revision(attempt), raised + 1) << "nothing can have been undone";
+}
+
+TEST_F(PostgresOnly, APooledSessionKeepsNothingAndPreparesNothing) {
+  PostgresConnection connection(stores->url, PostgresServer::patient(), PostgresSession::pooled);
+  const auto shown = [&](const char* setting) {
+    return connection.run("SELECT current_setting($1)", PostgresParameters() << setting).text(0, 0);
+  };
+  EXPECT_EQ(shown("search_path"), "bahnwerk") << "within a transaction";
+  EXPECT_EQ(connection.run_all({{"SELECT 1"}, {"SELECT 2"}}).at(1).integer(0, 0), 2);
+  connection.begin();
+  EXPECT_EQ(shown("lock_timeout"), "2s");
+  EXPECT_EQ(connection.run("SELECT id FROM jobs").size(), 0U);
+  connection.commit();
+  EXPECT_THROW(connection.run("SELECT 1 / 0"), StoreError);
+  EXPECT_TRUE(connection.idle());
+  connection.script("CREATE TEMPORARY TABLE left_over AS SELECT current_setting('search_path') AS path");
+  EXPECT_NE(connection.run("SELECT path FROM pg_temp.left_over").text(0, 0), "bahnwerk") << "outside of it";
+  EXPECT_EQ(connection.run("SELECT count(*) FROM pg_prepared_statements").integer(0, 0), 0);
+}
+
+TEST_F(PostgresOnly, WhatTheServerLacksIsNamedAndRefused) {
+  run("CREATE ROLE poor LOGIN; GRANT USAGE ON SCHEMA bahnwerk TO poor; GRANT ALL ON ALL TABLES IN SCHEMA bahnwerk TO "
+      "poor");
+  std::string url = stores->url;
+  url.replace(url.find("postgres@"), 9, "poor@");
+  const auto why = [&] {
+    try {
+      const PostgresStore store({.url = url, .patience = PostgresServer::patient(), .migrate = false});
+    } catch (const StoreRefused& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(why(), "");
+  run("REVOKE EXECUTE ON FUNCTION pg_current_snapshot() FROM PUBLIC; REVOKE UPDATE ON jobs FROM poor");
+  EXPECT_NE(why().find("pg_current_snapshot"), std::string::npos) << why();
+  EXPECT_EQ(why().find("advisory"), std::string::npos) << why();
+  run("REVOKE EXECUTE ON FUNCTION pg_try_advisory_xact_lock_shared(bigint) FROM PUBLIC");
+  EXPECT_NE(why().find("advisory locks"), std::string::npos) << why();
 }
 
 TEST_F(PostgresOnly, EachDayHasItsPartition) {
