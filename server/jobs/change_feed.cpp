@@ -1,5 +1,7 @@
 #include "server/jobs/change_feed.hpp"
 
+#include <utility>
+
 #include "server/runtime/jitter.hpp"
 #include "server/store/failure.hpp"
 

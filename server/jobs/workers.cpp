@@ -7,6 +7,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "server/jobs/progress.hpp"
+#include "server/runtime/jitter.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
 #include "server/runtime/priority.hpp"
