@@ -104,7 +104,9 @@ void Workers::loop() {
     }
     std::optional<api::Job> job;
     try {
+      const auto asked = std::chrono::steady_clock::now();
       job = store_.claim(lease());
+      if (job) metrics_.claimed(seconds_since(asked));
     } catch (const std::exception& error) {
       log_failure("claim_failed", error);
       // Workers of many processes must not come back together.

@@ -44,6 +44,7 @@ std::unique_ptr<Store> open_store(const std::string& url, std::function<void(dou
     options.connections = shared.connections;
     options.signals = shared.signals;
     options.refused = shared.refused;
+    options.lost = shared.lost;
     if (observer) options.observer = std::move(observer);
     return std::make_unique<PostgresStore>(std::move(options));
   }

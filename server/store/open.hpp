@@ -21,6 +21,8 @@ struct SharedStoreOptions {
   bool signals = true;          ///< whether processes tell each other of changes, beside polling
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process for good.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
+  /// Called, from any thread, with the jobs whose attempt a claim has found lost.
+  std::function<void(const std::vector<std::string>&)> lost = [](const std::vector<std::string>&) {};
 };
 
 /// Opens the store named by a URL: sqlite:PATH (a missing directory is created), or a connection URI of PostgreSQL.

@@ -39,6 +39,27 @@ for line in metrics.splitlines():
     found = re.match(r"(\w+)(?:\{(.*)\})? ", line)
     if found and not line.startswith("#"):
         labels.setdefault(found[1], set(given)).update(re.findall(r'(\w+)="', found[2] or ""))
+# What docs/operations.md says of them: whether the values of several processes are summed, or tell the same.
+over = {}
+for names, how in re.findall(r"^\| ((?:`\w+(?:\{[\w,]*\})?`(?:, )?)+) \|.*\| (\w+) \|$", (root / "docs/operations.md").read_text(), re.M):
+    over |= {name: how for name in re.findall(r"`(bahnwerk_\w+)", names)}
+expect(set(over) == {re.sub(r"_(bucket|count|sum)$", "", name) for name in labels if name.startswith("bahnwerk_")},
+       f"docs/operations.md explains other metrics than there are: {sorted(set(over) ^ {re.sub(r'_(bucket|count|sum)$', '', name) for name in labels if name.startswith('bahnwerk_')})}")
+
+
+def aggregation(expression, position):
+    """The function with by () or without that the series at this position is inside of, the innermost one; '': there is none."""
+    depth = 0
+    for k in range(position - 1, -1, -1):
+        depth += {")": 1, "(": -1}.get(expression[k], 0)
+        if depth < 0:
+            found = re.search(r"\b(sum|avg|max|min|count)(?: +by \([^()]*\))? *$", expression[:k])
+            if found:
+                return found[1]
+            depth = 0
+    return ""
+
+
 used = set()
 for place, expression in expressions():
     names = re.findall(r"\b((?:bahnwerk|process)_\w+|up)\b", re.sub(r'"[^"]*"', '""', expression))
@@ -48,6 +69,10 @@ for place, expression in expressions():
         expect(name in labels, f"{place}: there is no metric {name}")
         known |= labels.get(name, set())
         used.add(re.sub(r"_(bucket|count|sum)$", "", name))
+    for found in re.finditer(r"\bbahnwerk_\w+", expression):
+        how, function = over.get(found[0]), aggregation(expression, found.start())
+        if how in ("largest", "least"):
+            expect(function == {"largest": "max", "least": "min"}[how], f"{place}: all processes of a store tell {found[0]}: take the {how}, not {function or 'each'}")
     named = re.findall(r"(\w+) *(?:=~|!~|!=|=) *\"", expression)
     for group in re.findall(r"\b(?:by|on|without) *\(([^)]*)\)", expression):
         named += [name.strip() for name in group.split(",")]

@@ -5,6 +5,7 @@ start_server
 post "$examples/line.json"
 await succeeded
 request GET /v1/jobs/unknown # counts as refused
+request GET "/v1/jobs/$id" -H 'Prefer: wait=1' # counts as told to wait
 request GET /metrics
 request GET /metrics # counts the first one, too
 for command in serve submit migrate; do "$bahnwerk" $command --help >"$work/help.$command"; done

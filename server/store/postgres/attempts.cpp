@@ -160,7 +160,12 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
   const bool adopted = job.has_value();
   try {
     if (!job) take();
-    if (!job && !lose(lease.now).empty()) take();
+    if (!job) {
+      if (const auto lost = lose(lease.now); !lost.empty()) {
+        options_.lost(lost);
+        take();
+      }
+    }
     if (!job) return job;
     if (!adopted) publish({{.id = job->id, .state = JobState::running}});
     // By the id alone, so that its partition is known.

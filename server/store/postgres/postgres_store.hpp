@@ -38,6 +38,8 @@ struct PostgresOptions {
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
   /// store that is too new for the program.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
+  /// Called, from any thread, with the jobs whose attempt a claim has found lost; expire() returns those that it finds.
+  std::function<void(const std::vector<std::string>&)> lost = [](const std::vector<std::string>&) {};
   int engine = 0;  ///< level of the program's planners: jobs that need a higher one are left to others
   /// Whether leases and deadlines are measured by the times that callers give, for tests. Otherwise the database's
   /// clock is the one of all processes.
@@ -65,6 +67,7 @@ class PostgresStore final : public Store {
   std::vector<Running> running() override;
   StoreStatus status() override;
   StoreState state() const override { return state_.now(); }
+  StoreConnections connections() const override { return connections_.counts(); }
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
   std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
