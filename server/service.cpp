@@ -77,9 +77,14 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   if (keys_required) demand_keys(options);
   hosts_ = allowed_hosts(options.listen, listener_->address(), options.allowed_hosts);
   hosts_.origins = options.cors_origins;
+  SharedStoreOptions shared = options.shared_store;
+  shared.lost = [this](const std::vector<std::string>& jobs) {
+    metrics_.lost(jobs.size());
+    for (const std::string& id : jobs) log::warn("attempt_lost", {{"job", id}});
+  };
   store_ = open_store(
       options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); },
-      options.store_reserve, options.retention, options.shared_store);
+      options.store_reserve, options.retention, shared);
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   scans_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   health_ = std::make_unique<Pool>(health_threads);
@@ -206,6 +211,7 @@ void Service::follow_changes() {
     deadlines_->notify();
     callbacks_->notify();
   };
+  hooks.caught_up = [this] { metrics_.changes_known(time_.now_ms()); };
   feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks),
                                        options_.shared_store.hears() ? poll_beside_signals : poll_alone);
 }

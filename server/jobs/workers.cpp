@@ -7,6 +7,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "server/jobs/progress.hpp"
+#include "server/runtime/jitter.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
 #include "server/runtime/priority.hpp"
@@ -108,7 +109,9 @@ void Workers::loop() {
     }
     std::optional<api::Job> job;
     try {
+      const auto asked = std::chrono::steady_clock::now();
       job = store_.claim(lease());
+      if (job) metrics_.claimed(seconds_since(asked));
     } catch (const std::exception& error) {
       log_failure("claim_failed", error);
       // Workers of many processes must not come back together.

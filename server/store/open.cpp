@@ -50,6 +50,7 @@ std::unique_ptr<Store> open_store(const std::string& url, std::function<void(dou
     options.migrate = shared.migrate;
     options.planned_by = shared.planned_by;
     options.refused = shared.refused;
+    options.lost = shared.lost;
     if (observer) options.observer = std::move(observer);
     return std::make_unique<PostgresStore>(std::move(options));
   }

@@ -25,6 +25,8 @@ struct SharedStoreOptions {
   std::string listen_url = {};  ///< where signals come from, past a pooler; empty: the store's URL, if it is not pooled
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process for good.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
+  /// Called, from any thread, with the jobs whose attempt a claim has found lost.
+  std::function<void(const std::vector<std::string>&)> lost = [](const std::vector<std::string>&) {};
 
   /// Returns whether signals of others can come.
   bool hears() const { return signals && (!pooled || !listen_url.empty()); }

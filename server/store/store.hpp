@@ -46,6 +46,7 @@ class Store : public ChangeSource {
   virtual std::vector<Running> running() = 0;
   virtual StoreStatus status() = 0;
   virtual StoreState state() const { return StoreState::up; }  ///< without disk access
+  virtual StoreConnections connections() const { return {}; }  ///< without disk access
   virtual void ping() = 0;  ///< a real query; throws StoreError, also when there is no space for another job
 
   // Attempts: from claim to one of end, succeed, requeue. Each of these changes nothing and returns false when the job

@@ -47,7 +47,17 @@ struct StoreStatus {
   double free_bytes = 0;                      ///< bytes that may still be written; infinity: unknown
   std::optional<std::int64_t> oldest_queued;  ///< when the job that waits longest was posted, ms since 1970 UTC
   std::size_t callbacks = 0;                  ///< callbacks that are to be delivered
-  std::size_t beyond_engine = 0;              ///< queued jobs that need planners of a later version
+  std::size_t beyond_engine = 0;              ///< queued jobs that need a later engine than this process has
+  /// Rows of the queue's tables that nobody sees any more and the server has not freed yet: claims walk over them.
+  double dead_rows = 0;
+  /// Age of the oldest snapshot, for which the server keeps such rows: in transactions, and in seconds as far as its
+  /// user lets this one see it.
+  double snapshot_transactions = 0, snapshot_seconds = 0;
+};
+
+/// The connections to a store's server that requests and plans of this process share. All 0: there is no server.
+struct StoreConnections {
+  std::size_t busy = 0, idle = 0, most = 0;
 };
 
 inline constexpr std::int64_t ms_per_day = 86'400'000;

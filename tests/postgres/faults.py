@@ -260,7 +260,7 @@ def serves_without_rights(plant):
 def two_versions(plant):
     """What a later version has taken waits for its planners; a trigger plays that version."""
     database, one = plant.database, plant.apis[0]
-    beyond = lambda number: all(f"bahnwerk_jobs_beyond_engine {number}\n" in each.ask("GET", "/metrics")[2].decode() for each in plant.all())
+    beyond = lambda number: all(f"bahnwerk_queue_beyond_engine {number}\n" in each.ask("GET", "/metrics")[2].decode() for each in plant.all())
     database.ask("CREATE FUNCTION bahnwerk.later() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN NEW.needs = 1000; RETURN NEW; END'; "
                  "CREATE TRIGGER later BEFORE INSERT ON bahnwerk.jobs FOR EACH ROW EXECUTE FUNCTION bahnwerk.later()")
     later = one.post(DOCUMENTS[0])

@@ -177,7 +177,12 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
         known_queue_ == queue_changes_ && std::chrono::steady_clock::now() < searched_all_ + searched_for;
     if (!job && fresh) take(claimed_up_to_);
     if (!job) take({});
-    if (!job && !lose(lease.now).empty()) take({});
+    if (!job) {
+      if (const auto lost = lose(lease.now); !lost.empty()) {
+        options_.lost(lost);
+        take({});
+      }
+    }
     if (!job) return job;
     if (!adopted) publish({{.id = job->id, .state = JobState::running}});
     // By the id alone, so that its partition is known.

@@ -14,6 +14,11 @@ std::unique_ptr<PostgresConnection> PostgresConnections::make() const {
   }
 }
 
+StoreConnections PostgresConnections::counts() const {
+  const std::lock_guard lock(mutex_);
+  return {.busy = used_, .idle = free_.size(), .most = most_};
+}
+
 std::unique_ptr<PostgresConnection> PostgresConnections::take() {
   {
     std::unique_lock lock(mutex_);

@@ -35,6 +35,7 @@ class PostgresConnections {
 
   /// Returns a connection of its own, which does not count. Throws StoreAway, StoreRefused.
   std::unique_ptr<PostgresConnection> make() const;
+  StoreConnections counts() const;
 
  private:
   std::unique_ptr<PostgresConnection> take();
@@ -45,7 +46,7 @@ class PostgresConnections {
   const PostgresSession session_;
   const std::size_t most_;
   PostgresServerState& state_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable given_back_;
   std::vector<std::unique_ptr<PostgresConnection>> free_;
   std::size_t used_ = 0;

@@ -42,6 +42,8 @@ struct PostgresOptions {
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
   /// store that is too new for the program.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
+  /// Called, from any thread, with the jobs whose attempt a claim has found lost; expire() returns those that it finds.
+  std::function<void(const std::vector<std::string>&)> lost = [](const std::vector<std::string>&) {};
   bool migrate = true;          ///< whether an older schema is brought up to date and partitions are made, or refused
   std::string planned_by = {};  ///< version of the program, which results keep
   int engine = api::engine_level;  ///< jobs that need a higher one are left to others
@@ -71,6 +73,7 @@ class PostgresStore final : public Store {
   std::vector<Running> running() override;
   StoreStatus status() override;
   StoreState state() const override { return state_.now(); }
+  StoreConnections connections() const override { return connections_.counts(); }
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
   std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) override;

@@ -38,6 +38,60 @@ TEST_F(PostgresOnly, NumbersOfChangesGoOnWhereACrashHasEmptiedTheirTables) {
   EXPECT_EQ(stores->other().changes_since(after, 10).list.front().id, id);
 }
 
+TEST_F(PostgresOnly, JobsThatNeedALaterEngineAreCounted) {
+  PostgresStore newer(
+      {.url = stores->url, .patience = PostgresServer::patient(), .engine = 1, .times_of_callers = true});
+  insert_id(newer);
+  insert_id(newer);
+  insert_id(stores->one());
+  EXPECT_EQ(stores->one().status().beyond_engine, 2U);
+  EXPECT_EQ(newer.status().beyond_engine, 0U);
+}
+
+TEST_F(PostgresOnly, AnOpenSnapshotAndWhatItKeepsAreMeasured) {
+  Store& store = stores->one();
+  const std::string id = insert_id(store);
+  PostgresConnection reader(stores->url, PostgresServer::patient());
+  reader.script("BEGIN ISOLATION LEVEL REPEATABLE READ; SET LOCAL idle_in_transaction_session_timeout = 0");
+  reader.run("SELECT 1 FROM jobs LIMIT 1");
+  const StoreStatus before = store.status();
+  EXPECT_GT(before.snapshot_seconds, 0);
+  for (int k = 0; k < 7; ++k) run("UPDATE jobs SET name = 'again'");
+  const StoreStatus after = store.status();
+  EXPECT_GE(after.snapshot_transactions, before.snapshot_transactions + 7);
+  EXPECT_GT(after.snapshot_seconds, before.snapshot_seconds);
+  // A session tells what it has done when it has ended, after its client's call.
+  for (int k = 0; k < 6000 && store.status().dead_rows < 7; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_GE(store.status().dead_rows, 7);
+  reader.rollback();
+  EXPECT_LT(store.status().snapshot_transactions, after.snapshot_transactions);
+}
+
+TEST_F(PostgresOnly, ConnectionsAreCountedByUse) {
+  Store& store = stores->one();
+  insert_id(store);
+  const StoreConnections connections = store.connections();
+  EXPECT_EQ(connections.most, 6U) << "of eight, less those of leases and signals";
+  EXPECT_GE(connections.idle + connections.busy, 1U);
+  EXPECT_LE(connections.idle + connections.busy, 6U);
+}
+
+TEST_F(PostgresOnly, AnAttemptThatAClaimFindsLostIsTold) {
+  std::vector<std::string> lost;
+  PostgresStore store({.url = stores->url,
+                       .patience = PostgresServer::patient(),
+                       .lost = [&](const std::vector<std::string>& jobs) { lost = jobs; },
+                       .times_of_callers = true});
+  const std::string id = insert_id(store);
+  ASSERT_TRUE(claim(stores->other(), 1000, "a", 500));
+  EXPECT_FALSE(claim(store, 1499, "b", 500));
+  EXPECT_TRUE(lost.empty());
+  EXPECT_EQ(claim(store, 1500, "b", 500)->id, id);
+  EXPECT_EQ(lost, std::vector{id});
+  EXPECT_TRUE(store.expire(1600).lost.empty()) << "it is told once";
+}
+
 TEST_F(PostgresOnly, CountsAndAttemptsAgreeWithTheJobs) {
   Store& store = stores->one();
   for (int k = 0; k < 6; ++k) {
