@@ -178,7 +178,6 @@ void Metrics::observe(const Observed& observed) {
   state_->store_log.Set(observed.store_log_bytes);
   state_->store_free.Set(observed.store_free_bytes);
   state_->callbacks.Set(observed.callbacks);
-  state_->beyond_engine.Set(observed.beyond_engine);
 }
 
 void Metrics::planned(std::string_view kind, std::string_view state, double seconds) {
