@@ -77,9 +77,14 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   if (keys_required) demand_keys(options);
   hosts_ = allowed_hosts(options.listen, listener_->address(), options.allowed_hosts);
   hosts_.origins = options.cors_origins;
+  SharedStoreOptions shared = options.shared_store;
+  shared.lost = [this](const std::vector<std::string>& jobs) {
+    metrics_.lost(jobs.size());
+    for (const std::string& id : jobs) log::warn("attempt_lost", {{"job", id}});
+  };
   store_ = open_store(
       options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); },
-      options.store_reserve, options.retention, options.shared_store);
+      options.store_reserve, options.retention, shared);
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   scans_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   health_ = std::make_unique<Pool>(health_threads);
@@ -169,7 +174,7 @@ Service::~Service() {
 /// Throws where others could reach the service without a key. A store that is away is asked for keys later.
 void Service::demand_keys(const ServiceOptions& options) const {
   try {
-    if (!list_keys(options.store).empty()) return;
+    if (!list_keys(options.store, options.shared_store.pooled).empty()) return;
   } catch (const StoreAway&) {
     return;
   }
@@ -206,8 +211,9 @@ void Service::follow_changes() {
     deadlines_->notify();
     callbacks_->notify();
   };
+  hooks.caught_up = [this] { metrics_.changes_known(time_.now_ms()); };
   feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks),
-                                       options_.shared_store.signals ? poll_beside_signals : poll_alone);
+                                       options_.shared_store.hears() ? poll_beside_signals : poll_alone);
 }
 
 std::string Service::address() const { return listener_->address(); }
@@ -260,14 +266,12 @@ Service::Drained Service::drain() {
   const auto rest = std::max(until, Clock::now() + options_.answer_patience / 2);
   const bool idle = checks_->wait_idle(left(rest)) && heavy_->wait_idle(left(rest)) && scans_->wait_idle(left(rest)) &&
                     health_->wait_idle(left(rest)) && pool_->wait_idle(left(rest)) && callbacks_->wait_idle(left(rest));
-  try {
-    // A planner that gets no processor time cannot put its job back; whatever it still does comes too late then.
-    if (stuck)
+  // A planner that gets no processor time cannot put its job back; whatever it still does comes too late then.
+  if (stuck) try {
       for (const auto& live : live_.all()) store_->requeue(live->attempt(), now_ms(), live->revision());
-    store_->checkpoint();
-  } catch (const StoreError& error) {
-    log::error("checkpoint_failed", {{"detail", error.what()}});
-  }
+    } catch (const StoreError& error) {
+      log::error("requeue_failed", {{"detail", error.what()}});
+    }
   log::info("drain_finished", {{"requests_cut_off", !answered}});
   return stuck ? Drained::stuck : idle ? Drained::clean : Drained::late;
 }

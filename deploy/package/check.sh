@@ -4,7 +4,7 @@
 #             watchdog; upgrades, removes, purges, installs again: the jobs are still there
 #   image     what dist/bahnwerk_*.tar says of itself, its size; runs it with a read-only root as the user that it names
 #   proxies   nginx and Caddy before the service, as deploy/proxy has them: an event stream and a large document go through, and clients live
-#             through a restart of the service
+#             through a restart of the service; and before two processes
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . .ci/setup.sh
@@ -195,6 +195,7 @@ part_proxies() {
     echo "  $proxy: a document of $(du -h "$work/long.json" | cut -f1), an event stream and a held answer go through; submit --wait lives through a restart"
   done
   [ "$(curl -s -o /dev/null -w '%{http_code}' http://127.0.0.1:18480/)" = 308 ] || fail "nginx: to https"
+  tests/deploy/proxies.py
 }
 
 parts=("$@")

@@ -50,7 +50,6 @@ try {
   await picture('job', `/jobs/${ids.sheet}`);
   await picture('job_phone', `/jobs/${ids.sheet}`, { size: 'phone' });
   await picture('curves', `/jobs/${ids.sheet}`, { selector: '#curves' });
-  await picture('path', `/jobs/${ids.sheet}`, { selector: '#path' });
   await picture('verification', `/jobs/${ids.sheet}`, { selector: '#verification' });
   await picture('coarse_fine', `/jobs/${ids.stages}`, { selector: '#kind' });
   await picture('fill_factor', `/jobs/${ids.slot}`, { selector: '#kind' });

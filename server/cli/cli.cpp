@@ -5,6 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <tuple>
 
 #include "api/kind.hpp"
 #include "api/setpoints/setpoints.hpp"
@@ -12,6 +13,7 @@
 #include "server/cli/typed_options.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
+#include "server/store/move_store.hpp"
 #include "server/store/store_url.hpp"
 
 namespace bahnwerk::server::cli {
@@ -49,7 +51,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
   options.max_memory = default_memory_limit(memory_of_host());
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
   std::string level = "info", job, contour, out, id, format = "csv", layout, frame, key;
-  std::string store = options.store, password_file, file;
+  std::string store = options.store, password_file, file, from, to;
   Remote remote;
   std::string name, scope = "submit,read";
   std::optional<std::int64_t> max_queued;
@@ -159,9 +161,18 @@ int run(int argc, char** argv, const BuildInfo& build) {
   CLI::App* check_command =
       app.add_subcommand("check", "checks whether a store is whole, also while the service runs, or a backup of it");
   add_store(check_command);
-  CLI::App* migrate_command = app.add_subcommand(
-      "migrate", "brings the schema of a PostgreSQL store up to date, for those who serve as a user who may not");
+  CLI::App* migrate_command = app.add_subcommand("migrate",
+                                                 "brings the schema of a store up to date, for those who serve with "
+                                                 "--store-migrate never, or as a user of PostgreSQL who may not");
   add_store(migrate_command);
+  CLI::App* move_command = app.add_subcommand(
+      "migrate-store",
+      "moves all jobs and keys from an SQLite store to a PostgreSQL store, or back, and compares both; no service may "
+      "use them meanwhile. Interrupted, the same command goes on where it was");
+  for (auto& [flag, value, text] : {std::tuple{"from", &from, "where jobs are: PATH, sqlite:PATH or postgresql://…"},
+                                    std::tuple{"to", &to, "where they shall be: a store without jobs"}})
+    move_command->add_option(flag, *value, text)->required()->type_name("URL");
+  add_password_file(*move_command, password_file);
   CLI::App* key_command = app.add_subcommand("key", "adds, lists and removes keys, also while the service runs");
   key_command->require_subcommand(1);
   CLI::App* add_command = key_command->add_subcommand("add", "makes a key and prints it, once");
@@ -201,7 +212,10 @@ int run(int argc, char** argv, const BuildInfo& build) {
       {add_command, "0 added, 2 not: bad usage, or the store cannot be changed"},
       {list_command, "0 listed, 2 no such store, bad usage"},
       {remove_command, "0 removed, 2 there is no such key, or bad usage"},
-      {migrate_command, "0 up to date, 2 not: no such server, no permission, bad usage"},
+      {migrate_command, "0 up to date, 2 not: a service has the file, no such server, no permission, bad usage"},
+      {move_command,
+       "0 moved, and both stores agree; 1 they differ (listed on stdout); 2 not moved: a store is in use, the second "
+       "one has jobs, no such store or server, no room, bad usage"},
       {check_command, "0 whole, 1 damaged, 2 no such store, bad usage"}};
   for (const auto& [command, codes] : exit_codes) {
     command->footer("Exit codes: " + std::string(codes) + ".");
@@ -220,7 +234,12 @@ int run(int argc, char** argv, const BuildInfo& build) {
   }
   try {
     if (*serve_command) store = options.store;
-    if (!password_file.empty()) store = with_password(store, password_file);
+    if (*move_command) return move(store_url(from), store_url(to), password_file);
+    if (!password_file.empty()) {
+      store = with_password(store, password_file);
+      std::string& listen_url = options.shared_store.listen_url;
+      if (!listen_url.empty()) listen_url = with_password(listen_url, password_file);
+    }
     options.store = store;
     if (*serve_command) return run_serve(*serve_command, options, level);
     if (*plan_command) return plan(read_job(job, contour), out, layout, frame, drives);

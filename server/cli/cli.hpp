@@ -1,5 +1,6 @@
 #pragma once
-/// The command line: `bahnwerk serve | plan | submit | watch | fetch | health | backup | check | migrate`.
+/// The command line: `bahnwerk serve | plan | submit | watch | fetch | health | backup | check | migrate |
+/// migrate-store`.
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -40,8 +41,11 @@ int fetch(const Remote& server, const std::string& id, const std::string& format
 int backup(const std::string& store, const std::string& file);
 /// Checks whether the store named by a URL is whole, and prints what is not.
 int check(const std::string& store);
-/// Brings the schema of a PostgreSQL store up to date, and prints its version.
+/// Brings the schema of a store up to date, and prints its version.
 int migrate(const std::string& store);
+/// Moves all jobs from one store into the other, tells on stderr how far it is, and prints what was compared.
+/// `password_file` is for the PostgreSQL server.
+int move(std::string from, std::string to, const std::string& password_file);
 /// Adds a key for `name` to the store and prints its text, which nobody can learn again.
 int add_key(const std::string& store, const std::string& name, const std::string& scopes,
             std::optional<std::int64_t> max_queued, std::optional<std::chrono::milliseconds> max_planning);

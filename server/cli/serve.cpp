@@ -66,6 +66,7 @@ int serve(ServiceOptions options) {
   const Supervisor supervisor(or_empty(std::getenv("NOTIFY_SOCKET")),
                               watchdog_interval(std::getenv("WATCHDOG_USEC"), std::getenv("WATCHDOG_PID"), ::getpid()));
   std::atomic<bool> refused{false};
+  options.shared_store.planned_by = options.build.version;
   options.shared_store.refused = [&refused](const std::string& why) {
     if (refused.exchange(true)) return;
     std::cerr << "bahnwerk: " << why << '\n';

@@ -100,6 +100,22 @@ void add_serve_options(CLI::App& app, ServiceOptions& options, std::string& leve
              "four times a second")
           ->check(CLI::IsMember({"on", "off"}))
           ->default_str("on"));
+  env(app.add_option_function<std::string>(
+             "--store-prepared", [&options](const std::string& text) { options.shared_store.pooled = text == "off"; },
+             "on = statements are prepared once per connection to the PostgreSQL server; off = a pooler may give each "
+             "transaction another session of the server, such as PgBouncer with pool_mode = transaction")
+          ->check(CLI::IsMember({"on", "off"}))
+          ->default_str("on"));
+  env(app.add_option("--store-listen-url", options.shared_store.listen_url,
+                     "the PostgreSQL server itself, for signals of other processes, which such a pooler does not pass "
+                     "on; without it they are asked for four times a second")
+          ->type_name("URL"));
+  env(app.add_option_function<std::string>(
+             "--store-migrate", [&options](const std::string& text) { options.shared_store.migrate = text == "auto"; },
+             "auto = a store of an older version is brought up to date at the start; never = it is refused until "
+             "`bahnwerk migrate` has done it")
+          ->check(CLI::IsMember({"auto", "never"}))
+          ->default_str("auto"));
   env(add_bytes(app, "--store-reserve", options.store_reserve,
                 "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "
                 "with a suffix: 8MiB",

@@ -82,14 +82,16 @@ api::Problem no_job(const std::string& id) { return {"not-found", "There is no j
 
 std::optional<Response> KeyGate::refuse(Access access, Request& request) const {
   if (access == Access::open) return std::nullopt;
-  if (!keys_.known())  // whether a key is needed is not known either
+  const bool here = access == Access::metrics && from_this_machine(request);
+  if (!keys_.known()) {  // whether a key is needed is not known either
+    if (here) return std::nullopt;
     return problem_answer(api::Problem("store-unavailable", "The store is away, and with it the keys. Try again."),
                           request.target);
+  }
   if (!keys_.demanded()) return std::nullopt;
   const auto header = bearer(request);
   const auto given = header ? header : cookie(request);
   request.key = given ? keys_.find(*given) : nullptr;
-  const bool here = access == Access::metrics && from_this_machine(request);
   if (!request.key) {
     if (here && !given) return std::nullopt;
     if (access == Access::page && !header) return login_(request, given.has_value());

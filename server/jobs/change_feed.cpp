@@ -1,5 +1,7 @@
 #include "server/jobs/change_feed.hpp"
 
+#include <utility>
+
 #include "server/runtime/jitter.hpp"
 #include "server/store/failure.hpp"
 
@@ -42,6 +44,7 @@ void ChangeFeed::ask() {
     if (!seen_) seen_ = source_.last_change();
     ask_all();
     if (std::exchange(away_, false)) hooks_.all();
+    hooks_.caught_up();
   } catch (const std::exception& error) {  // the store may be back the next time; nothing is missed
     away_ = true;
     log_failure("changes_failed", error);

@@ -17,6 +17,8 @@ class ChangeFeed {
     /// twice.
     std::function<void(const std::vector<Changed>&)> changed;
     std::function<void()> all;  ///< changes may have been missed: every job has to be checked
+    /// All changes of other processes were known when it was called.
+    std::function<void()> caught_up = [] {};
   };
   /// Reports every change from now on. If the source is shared, asks it on a thread of its own: when others signal a
   /// change, and else about every `interval`, half as long at least and half as long again at most. Where the source

@@ -17,6 +17,16 @@ std::uint64_t LiveJob::revision() const {
   return revision_;
 }
 
+Progressed LiveJob::progressed() const {
+  const std::lock_guard lock(mutex_);
+  return {attempt_, fraction_, stage_, message_, revision_};
+}
+
+void LiveJob::raise_above(std::uint64_t stored, std::uint64_t told) {
+  const std::lock_guard lock(mutex_);
+  if (stored > told) revision_ = std::max(revision_, stored + 1);
+}
+
 void LiveJob::overlay(api::Job& job) const {
   if (job.state != api::JobState::running || job.token != attempt_.token) return;
   const std::lock_guard lock(mutex_);

@@ -22,6 +22,10 @@ class LiveJob {
 
   void publish(double fraction, std::string_view stage, std::string_view message);  ///< increases the revision
   std::uint64_t revision() const;
+  Progressed progressed() const;  ///< returns the current progress
+  /// `stored` is the revision that the store has after it was told `told`. Where it is another one, what is published
+  /// gets a greater revision than that.
+  void raise_above(std::uint64_t stored, std::uint64_t told);
   void overlay(api::Job& job) const;  ///< replaces the store's progress of this attempt by the current one
 
   std::atomic<bool> cancel{false};     ///< a client has cancelled the job

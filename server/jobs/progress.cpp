@@ -12,7 +12,6 @@ namespace {
 
 constexpr auto publish_interval = std::chrono::milliseconds(100);
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr auto keep_interval = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -23,8 +22,7 @@ JobProgress::JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live,
       deadline_(job.request.deadline),
       budget_(job.request.time_budget),
       start_(hooks_.now()),
-      published_(start_ - publish_interval),
-      kept_(start_) {
+      published_(start_ - publish_interval) {
   if (most) budget_ = std::min(budget_.value_or(infinity), std::chrono::duration<double>(*most).count());
 }
 
@@ -64,10 +62,6 @@ void JobProgress::report(std::string_view stage, double fraction, std::string_vi
   stage_ = stage;
   live_->publish(fraction_, stage, message);
   hooks_.publish();
-  if (now - kept_ < keep_interval || keeping_->exchange(true)) return;
-  kept_ = now;
-  hooks_.keep({live_->attempt(), fraction_, stage_, std::string(message), live_->revision()},
-              [keeping = keeping_] { *keeping = false; });
 }
 
 }  // namespace bahnwerk::server

@@ -18,11 +18,8 @@ class JobProgress final : public Progress {
   using Clock = std::chrono::steady_clock;
   enum class Stop { none, cancelled, deadline, budget, interrupted, lost };
 
-  /// `publish` is called for clients, at most every 100 ms; `keep` for the store, at most every 500 ms, and never while
-  /// a previous call is in progress.
   struct Hooks {
-    std::function<void()> publish;
-    std::function<void(Progressed, std::function<void()>)> keep;
+    std::function<void()> publish;           ///< called for clients, at most every 100 ms
     std::function<std::int64_t()> now_ms;    ///< wall clock, for the deadline
     std::function<Clock::time_point()> now;  ///< steady clock, for budget and throttling
   };
@@ -44,10 +41,9 @@ class JobProgress final : public Progress {
   Hooks hooks_;
   std::optional<std::int64_t> deadline_;
   std::optional<double> budget_;
-  Clock::time_point start_, published_, kept_;
+  Clock::time_point start_, published_;
   std::string stage_;
   double fraction_ = 0;
-  std::shared_ptr<std::atomic<bool>> keeping_ = std::make_shared<std::atomic<bool>>(false);
   Stop stopped_ = Stop::none;
   std::uint64_t reports_ = 0, reports_after_stop_ = 0;
 };

@@ -7,6 +7,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "server/jobs/progress.hpp"
+#include "server/runtime/jitter.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
 #include "server/runtime/priority.hpp"
@@ -31,7 +32,12 @@ Workers::Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metr
       name_(Uuid7().next(time.now_ms())),
       lease_(lease),
       time_(time) {
-  if (lease_) heartbeat_.emplace(store_, live_, name_, *lease_, time_);
+  heartbeat_.emplace(
+      store_, live_, name_, lease_,
+      [this](const std::string& id) {
+        if (store_.shared()) notifier_.changed(id, Change::progress);  // clients see what is stored
+      },
+      time_);
 }
 
 Workers::~Workers() {
@@ -103,7 +109,9 @@ void Workers::loop() {
     }
     std::optional<api::Job> job;
     try {
+      const auto asked = std::chrono::steady_clock::now();
       job = store_.claim(lease());
+      if (job) metrics_.claimed(seconds_since(asked));
     } catch (const std::exception& error) {
       log_failure("claim_failed", error);
       // Workers of many processes must not come back together.
@@ -215,15 +223,6 @@ void Workers::run(const api::Job& job) {
                             [&] {
                               if (!store_.shared()) notifier_.changed(id, Change::progress);
                             },
-                        .keep =
-                            [&](Progressed p, std::function<void()> done) {
-                              if (!store_.shared()) return store_.progress(std::move(p), std::move(done));
-                              // Clients see what is stored.
-                              store_.progress(std::move(p), [&notifier = notifier_, id, done = std::move(done)] {
-                                done();
-                                notifier.changed(id, Change::progress);
-                              });
-                            },
                         .now_ms = [&] { return time_.now_ms(); },
                         .now = [&] { return time_.now(); }});
   const auto never = [] { return false; };
@@ -250,7 +249,11 @@ void Workers::run(const api::Job& job) {
     outcome = "succeeded";
     try {
       const auto kept = persist(
-          id, [&] { return store_.succeed(live->attempt(), *planned, time_.now_ms(), live->revision(), progress); },
+          id,
+          [&] {
+            return store_.succeed(
+                live->attempt(), *planned, time_.now_ms(), [&] { return live->revision(); }, progress);
+          },
           [&] { return live->cancel.load(); });
       if (kept == Persisted::given_up) {
         given_up = true;

@@ -80,7 +80,7 @@ class Workers {
   unsigned active_ = 0, planning_ = 0;  ///< threads, and those of them that have a job
   bool memory_kept_ = false;            ///< whether a job ran since memory was returned
   bool stopping_ = false, interrupted_ = false;
-  std::optional<Heartbeat> heartbeat_;
+  std::optional<Heartbeat> heartbeat_;  ///< begins when all else is made
   std::vector<std::thread> threads_;
 };
 

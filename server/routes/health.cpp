@@ -28,21 +28,50 @@ Response ready(Context& context) {
   return uncached(json_answer(200, {{"status", "ready"}}));
 }
 
-Response metrics(Context& context) {
-  for (const auto& [state, count] : context.store.counts()) context.metrics.jobs(api::to_string(state), count);
+std::string_view name_of(StoreState state) {
+  return state == StoreState::up ? "up" : state == StoreState::read_only ? "read_only" : "away";
+}
+
+/// Asks the store for what concerns it as a whole; throws StoreError.
+void look_at_store(Context& context, Metrics::Observed& seen) {
+  const auto counts = context.store.counts();
   const StoreStatus store = context.store.status();
   const double age = store.oldest_queued ? static_cast<double>(context.time.now_ms() - *store.oldest_queued) * 1e-3 : 0;
-  context.metrics.observe({.resident_bytes = static_cast<double>(resident_memory()),
-                           .max_memory_bytes = static_cast<double>(memory_limit()),
-                           .descriptors = static_cast<double>(open_descriptors()),
-                           .max_descriptors = static_cast<double>(max_descriptors()),
-                           .workers = static_cast<double>(context.workers),
-                           .busy_workers = static_cast<double>(context.live.size()),
-                           .oldest_queued_seconds = std::max(0.0, age),
-                           .store_bytes = store.bytes,
-                           .store_log_bytes = store.log_bytes,
-                           .store_free_bytes = store.free_bytes,
-                           .callbacks = static_cast<double>(store.callbacks)});
+  for (const auto& [state, count] : counts) context.metrics.jobs(api::to_string(state), static_cast<double>(count));
+  context.metrics.store_state(name_of(context.store.state()));
+  seen.oldest_queued_seconds = std::max(0.0, age);
+  seen.beyond_engine = static_cast<double>(store.beyond_engine);
+  seen.callbacks = static_cast<double>(store.callbacks);
+  seen.store_bytes = store.bytes;
+  seen.store_log_bytes = store.log_bytes;
+  seen.store_free_bytes = store.free_bytes;
+  seen.dead_rows = store.dead_rows;
+  seen.snapshot_seconds = store.snapshot_seconds;
+  seen.snapshot_transactions = store.snapshot_transactions;
+}
+
+/// Answers also while the store is away: what the process knows by itself is asked for most then.
+Response metrics(Context& context) {
+  using api::JobState;
+  const StoreConnections connections = context.store.connections();
+  Metrics::Observed seen{.resident_bytes = static_cast<double>(resident_memory()),
+                         .max_memory_bytes = static_cast<double>(memory_limit()),
+                         .descriptors = static_cast<double>(open_descriptors()),
+                         .max_descriptors = static_cast<double>(max_descriptors()),
+                         .workers = static_cast<double>(context.workers),
+                         .busy_workers = static_cast<double>(context.live.size()),
+                         .busy_connections = static_cast<double>(connections.busy),
+                         .idle_connections = static_cast<double>(connections.idle),
+                         .max_connections = static_cast<double>(connections.most)};
+  try {
+    look_at_store(context, seen);
+  } catch (const StoreError&) {
+    context.metrics.store_state(name_of(StoreState::away));
+    for (const auto state :
+         {JobState::queued, JobState::running, JobState::succeeded, JobState::failed, JobState::cancelled})
+      context.metrics.jobs(api::to_string(state), Metrics::unknown);
+  }
+  context.metrics.observe(seen);
   return uncached(text_answer(200, "text/plain; version=0.0.4; charset=utf-8", context.metrics.text()));
 }
 

@@ -57,9 +57,31 @@ struct Metrics::State {
   prometheus::Gauge& workers = gauge("bahnwerk_workers", "Planner threads");
   prometheus::Gauge& busy = gauge("bahnwerk_workers_busy", "Planner threads that plan a job");
   prometheus::Gauge& oldest = gauge("bahnwerk_queue_oldest_seconds", "Age of the job that waits longest, s");
-  prometheus::Gauge& store = gauge("bahnwerk_store_bytes", "Size of the store's file, bytes");
+  prometheus::Gauge& beyond =
+      gauge("bahnwerk_queue_beyond_engine", "Jobs in the queue that need a later planner than this process has");
+  prometheus::Gauge& changes_known =
+      gauge("bahnwerk_feed_caught_up_timestamp_seconds",
+            "Last time that all changes of other processes were known, s since 1970 UTC; NaN: there are no others");
+  prometheus::Gauge& store = gauge("bahnwerk_store_bytes", "Size of the store's file or database, bytes");
   prometheus::Gauge& store_log = gauge("bahnwerk_store_log_bytes", "Size of the store's log, bytes");
   prometheus::Gauge& store_free = gauge("bahnwerk_store_free_bytes", "Bytes free on the store's disk");
+  prometheus::Family<prometheus::Gauge>& store_states =
+      prometheus::BuildGauge()
+          .Name("bahnwerk_store_state")
+          .Help("1 for what can be done with the store: up, read_only, away; 0 for the others")
+          .Register(registry);
+  prometheus::Family<prometheus::Gauge>& connections =
+      prometheus::BuildGauge()
+          .Name("bahnwerk_store_connections")
+          .Help("Connections to the store's server that requests and plans share, by use: busy, idle")
+          .Register(registry);
+  prometheus::Gauge& max_connections =
+      gauge("bahnwerk_store_connections_max", "Largest number of these connections; 0: the store has no server");
+  prometheus::Gauge& dead_rows = gauge("bahnwerk_store_dead_rows", "Deleted rows of the queue not yet freed");
+  prometheus::Gauge& snapshot_seconds =
+      gauge("bahnwerk_store_snapshot_seconds", "Age of the oldest snapshot of the store, s");
+  prometheus::Gauge& snapshot_transactions =
+      gauge("bahnwerk_store_snapshot_transactions", "Age of the oldest snapshot of the store, transactions");
   prometheus::Gauge& callbacks = gauge("bahnwerk_callbacks_pending", "Callbacks of ended jobs that wait for delivery");
   prometheus::Family<prometheus::Counter>& callback_attempts = prometheus::BuildCounter()
                                                                    .Name("bahnwerk_callback_attempts_total")
@@ -69,6 +91,11 @@ struct Metrics::State {
                                                             .Name("bahnwerk_planning_seconds")
                                                             .Help("Planning time of jobs by kind and final state, s")
                                                             .Register(registry);
+  prometheus::Histogram& claims = prometheus::BuildHistogram()
+                                      .Name("bahnwerk_claim_seconds")
+                                      .Help("From asking the store for a job to having it, where there was one, s")
+                                      .Register(registry)
+                                      .Add({}, commit_buckets);
   prometheus::Histogram& commits = prometheus::BuildHistogram()
                                        .Name("bahnwerk_store_commit_seconds")
                                        .Help("Durable store transactions, s")
@@ -95,7 +122,11 @@ struct Metrics::State {
       prometheus::BuildGauge().Name("bahnwerk_http_connections").Help("Open connections").Register(registry).Add({});
 };
 
-Metrics::Metrics() : state_(std::make_unique<State>()) {}
+Metrics::Metrics() : state_(std::make_unique<State>()) {
+  state_->changes_known.Set(unknown);
+  for (const char* const outcome : {"delivered", "failed", "given_up"})
+    state_->callback_attempts.Add({{"outcome", outcome}});
+}
 Metrics::~Metrics() = default;
 
 void Metrics::request(std::string_view route, std::string_view method, int status, double seconds, bool waited) {
@@ -119,6 +150,13 @@ void Metrics::lost(std::size_t attempts) { state_->lost.Increment(static_cast<do
 
 void Metrics::caught_up(std::int64_t now_ms) { state_->caught_up.Set(static_cast<double>(now_ms) * 1e-3); }
 
+void Metrics::changes_known(std::int64_t now_ms) { state_->changes_known.Set(static_cast<double>(now_ms) * 1e-3); }
+
+void Metrics::store_state(std::string_view state) {
+  for (const std::string_view each : {"up", "read_only", "away"})
+    state_->store_states.Add({{"state", std::string(each)}}).Set(each == state ? 1 : 0);
+}
+
 void Metrics::started(std::int64_t now_ms) { state_->start.Set(static_cast<double>(now_ms) * 1e-3); }
 
 void Metrics::observe(const Observed& observed) {
@@ -128,7 +166,14 @@ void Metrics::observe(const Observed& observed) {
   state_->max_descriptors.Set(observed.max_descriptors);
   state_->workers.Set(observed.workers);
   state_->busy.Set(observed.busy_workers);
+  state_->connections.Add({{"use", "busy"}}).Set(observed.busy_connections);
+  state_->connections.Add({{"use", "idle"}}).Set(observed.idle_connections);
+  state_->max_connections.Set(observed.max_connections);
   state_->oldest.Set(observed.oldest_queued_seconds);
+  state_->beyond.Set(observed.beyond_engine);
+  state_->dead_rows.Set(observed.dead_rows);
+  state_->snapshot_seconds.Set(observed.snapshot_seconds);
+  state_->snapshot_transactions.Set(observed.snapshot_transactions);
   state_->store.Set(observed.store_bytes);
   state_->store_log.Set(observed.store_log_bytes);
   state_->store_free.Set(observed.store_free_bytes);
@@ -138,6 +183,8 @@ void Metrics::observe(const Observed& observed) {
 void Metrics::planned(std::string_view kind, std::string_view state, double seconds) {
   state_->planning.Add({{"kind", std::string(kind)}, {"state", std::string(state)}}, planning_buckets).Observe(seconds);
 }
+
+void Metrics::claimed(double seconds) { state_->claims.Observe(seconds); }
 
 void Metrics::commit(double seconds, std::size_t writes) {
   state_->commits.Observe(seconds);
@@ -152,9 +199,9 @@ void Metrics::callback(std::string_view outcome) {
 
 void Metrics::connections(std::size_t open) { state_->open.Set(static_cast<double>(open)); }
 
-void Metrics::jobs(std::string_view state, std::size_t count) {
-  state_->job_states.Add({{"state", std::string(state)}}).Set(static_cast<double>(count));
-  if (state == "queued") state_->queue.Set(static_cast<double>(count));
+void Metrics::jobs(std::string_view state, double count) {
+  state_->job_states.Add({{"state", std::string(state)}}).Set(count);
+  if (state == "queued") state_->queue.Set(count);
 }
 
 std::string Metrics::text() const { return prometheus::TextSerializer().Serialize(state_->registry.Collect()); }

@@ -14,7 +14,8 @@
 namespace bahnwerk::server {
 namespace {
 
-constexpr int level = 3;
+constexpr int text_level = 3;
+constexpr int row_level = 1;  // of long series 2 % larger than level 3, and a tenth of the time that a plan takes less
 constexpr std::uint32_t max_rows = 1U << 20;
 
 constexpr std::uint32_t index_magic = 0x184D2A50;
@@ -61,7 +62,7 @@ class Compressor::Frames {
     if (!context_) throw std::bad_alloc();
   }
   /// Appends a frame to `out`. What `out` takes is the frames, not the room that they needed while they were made.
-  void append(const void* data, std::size_t size, std::string& out) {
+  void append(const void* data, std::size_t size, int level, std::string& out) {
     if (const std::size_t room = ZSTD_compressBound(size); room > room_) {
       frame_.reset();
       frame_.reset(new char[room]);
@@ -87,7 +88,7 @@ std::string pack_text(std::string_view text) { return Compressor().text(text); }
 std::string Compressor::text(std::string_view text) {
   std::string out;
   if (text.size() <= text_piece) {
-    frames_->append(text.data(), text.size(), out);
+    frames_->append(text.data(), text.size(), text_level, out);
     return out;
   }
   const std::size_t frames = (text.size() + text_piece - 1) / text_piece;
@@ -99,7 +100,7 @@ std::string Compressor::text(std::string_view text) {
   for (std::size_t k = 0; k < frames; ++k) {
     const std::string_view piece = text.substr(k * text_piece, text_piece);
     const std::size_t begin = out.size();
-    frames_->append(piece.data(), piece.size(), out);
+    frames_->append(piece.data(), piece.size(), text_level, out);
     put(index_fixed + k * sizeof(std::uint32_t), static_cast<std::uint32_t>(out.size() - begin));
   }
   return out;
@@ -151,7 +152,7 @@ std::string Compressor::rows(const double* values, std::size_t rows, std::size_t
     }
   }
   std::string out;
-  frames_->append(planes.data(), planes.size(), out);
+  frames_->append(planes.data(), planes.size(), row_level, out);
   return out;
 }
 

@@ -37,13 +37,20 @@ std::string prepared_path(const std::string& url) {
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
                                   std::size_t reserve, const Retention& retention, const SharedStoreOptions& shared) {
   check_store(url);
+  if (!shared.listen_url.empty() && !(names_postgres(url) && names_postgres(shared.listen_url)))
+    throw StoreError("--store-listen-url names a PostgreSQL server, postgresql://…, beside a store there", false);
   if (names_postgres(url)) {
     PostgresOptions options;
     options.url = url;
     options.retention = retention;
     options.connections = shared.connections;
-    options.signals = shared.signals;
+    options.signals = shared.hears();
+    options.session = shared.pooled ? PostgresSession::pooled : PostgresSession::own;
+    options.listen_url = shared.listen_url;
+    options.migrate = shared.migrate;
+    options.planned_by = shared.planned_by;
     options.refused = shared.refused;
+    options.lost = shared.lost;
     if (observer) options.observer = std::move(observer);
     return std::make_unique<PostgresStore>(std::move(options));
   }
@@ -52,6 +59,8 @@ std::unique_ptr<Store> open_store(const std::string& url, std::function<void(dou
   options.observer = std::move(observer);
   options.reserve = reserve;
   options.retention = retention;
+  options.migrate = shared.migrate;
+  options.planned_by = shared.planned_by;
   std::error_code error;
   const auto folder = std::filesystem::path(options.path).parent_path();
   const auto disk = std::filesystem::space(folder.empty() ? "." : folder, error);
@@ -72,8 +81,7 @@ BackUp back_up(const std::string& url, const std::string& file) {
 
 int migrate_store(const std::string& url) {
   check_store(url);
-  if (!names_postgres(url)) throw StoreError("an SQLite store is brought up to date by `bahnwerk serve`", false);
-  return postgres::bring_up_to_date(url);
+  return names_postgres(url) ? postgres::bring_up_to_date(url) : sqlite::bring_up_to_date(url);
 }
 
 std::vector<std::string> inspect(const std::string& url) {
@@ -88,8 +96,8 @@ std::vector<Key> remove_keys(const std::string& url, const std::string& name_or_
   return names_postgres(url) ? postgres::remove_keys(url, name_or_id) : sqlite::remove_keys(url, name_or_id);
 }
 
-std::vector<Key> list_keys(const std::string& url) {
-  return names_postgres(url) ? postgres::list_keys(url) : sqlite::list_keys(url);
+std::vector<Key> list_keys(const std::string& url, bool pooled) {
+  return names_postgres(url) ? postgres::list_keys(url, pooled) : sqlite::list_keys(url);
 }
 
 }  // namespace bahnwerk::server

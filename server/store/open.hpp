@@ -15,12 +15,21 @@ void check_store(const std::string& url);
 /// Returns the path of an SQLite store's file, whatever links lead to it; makes its folder. Throws StoreError.
 std::string prepared_path(const std::string& url);
 
-/// How a process uses a store that processes share.
+/// How a process uses a store, beside others where these share it.
 struct SharedStoreOptions {
+  bool migrate = true;          ///< whether an older schema is brought up to date, or refused
+  std::string planned_by = {};  ///< version of the program, which results keep
   std::size_t connections = 8;  ///< most connections to its server
   bool signals = true;          ///< whether processes tell each other of changes, beside polling
+  bool pooled = false;          ///< whether a pooler gives each transaction another session of the server
+  std::string listen_url = {};  ///< where signals come from, past a pooler; empty: the store's URL, if it is not pooled
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process for good.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
+  /// Called, from any thread, with the jobs whose attempt a claim has found lost.
+  std::function<void(const std::vector<std::string>&)> lost = [](const std::vector<std::string>&) {};
+
+  /// Returns whether signals of others can come.
+  bool hears() const { return signals && (!pooled || !listen_url.empty()); }
 };
 
 /// Opens the store named by a URL: sqlite:PATH (a missing directory is created), or a connection URI of PostgreSQL.
@@ -39,9 +48,8 @@ struct BackUp {
 /// StoreError with a sentence for the operator, also for a PostgreSQL store, which has tools of its own.
 BackUp back_up(const std::string& url, const std::string& file);
 
-/// Brings the schema of the PostgreSQL store named by a URL up to date, with partitions for the next days, and returns
-/// its version: for those who serve as a user who may not. Throws StoreError with a sentence for the operator, also for
-/// an SQLite store, which the service brings up to date.
+/// Brings the schema of the store named by a URL up to date, in a PostgreSQL store with partitions for the next days,
+/// and returns its version: for those whose services may not. Throws StoreError with a sentence for the operator.
 int migrate_store(const std::string& url);
 
 /// Returns what is wrong with the store named by a URL, in sentences: damaged pages, jobs without their document,
@@ -53,6 +61,7 @@ std::vector<std::string> inspect(const std::string& url);
 /// StoreError with a sentence for the operator.
 void add_key(const std::string& url, const Key& key);
 std::vector<Key> remove_keys(const std::string& url, const std::string& name_or_id);
-std::vector<Key> list_keys(const std::string& url);  ///< removed ones included
+/// `pooled`: see SharedStoreOptions.
+std::vector<Key> list_keys(const std::string& url, bool pooled = false);  ///< removed ones included
 
 }  // namespace bahnwerk::server

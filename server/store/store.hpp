@@ -46,28 +46,28 @@ class Store : public ChangeSource {
   virtual std::vector<Running> running() = 0;
   virtual StoreStatus status() = 0;
   virtual StoreState state() const { return StoreState::up; }  ///< without disk access
+  virtual StoreConnections connections() const { return {}; }  ///< without disk access
   virtual void ping() = 0;  ///< a real query; throws StoreError, also when there is no space for another job
 
   // Attempts: from claim to one of end, succeed, requeue. Each of these changes nothing and returns false when the job
   // is not running any more, or runs another attempt.
 
   /// Claims the next job: highest priority, then first come; it becomes `running`, and its attempt number and its
-  /// token increase by one. No job is given to two callers. Attempts whose lease ran out before `lease.now` are lost
-  /// first, as in `expire`. A job with a lost attempt is given to a worker that runs no other one, and that gets none
-  /// until it has ended.
+  /// token increase by one. No job is given to two callers. Jobs that need planners of a later version are left.
+  /// Attempts whose lease ran out before `lease.now` are lost first, as in `expire`. A job with a lost attempt is given
+  /// to a worker that runs no other one, and that gets none until it has ended.
   virtual std::optional<api::Job> claim(const Lease& lease) = 0;
-  /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed.
-  /// Returns the others: they ended or were lost, and their planners may stop.
-  virtual std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) = 0;
-  /// Stores progress asynchronously, within a group commit; `done` is called from any thread. Without effect when the
-  /// attempt is over.
-  virtual void progress(Progressed progress, std::function<void()> done) = 0;
+  /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed, and
+  /// stores their progress where its revision is not below the stored one. Returns these attempts; the others ended or
+  /// were lost, and their planners may stop. A crash of the store's server may undo it.
+  virtual std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) = 0;
   virtual bool end(const Attempt& attempt, const Ending& ending) = 0;
   /// Stores the result, all setpoints and their views. Long series are stored piece by piece before the state changes,
   /// so that neither memory nor other writers suffer from their length; `progress` is asked between the pieces and may
-  /// throw Stopped. After a StoreError a further call continues where this one ended.
-  virtual bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, std::uint64_t revision,
-                       Progress& progress) = 0;
+  /// throw Stopped. `seen` is called when all pieces are stored, because clients see that progress, too, and the
+  /// job's revision exceeds it. After a StoreError a further call continues where this one ended.
+  virtual bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
+                       const SeenRevision& seen, Progress& progress) = 0;
   /// Puts a running job back as if the attempt had not been made; a job with a requested cancellation is cancelled
   /// instead.
   virtual bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) = 0;
@@ -121,8 +121,6 @@ class Store : public ChangeSource {
 
   /// Returns all keys, or nullopt if their version is `known`; 0 is that of a store that never had one.
   virtual std::optional<Keys> keys(std::uint64_t known) = 0;
-
-  virtual void checkpoint() = 0;  ///< empties side files; for an orderly end
 };
 
 inline std::optional<std::string> Store::result(const std::string& id) {

@@ -1,6 +1,7 @@
 #pragma once
 /// Values that go into a store and come out of it, independent of its implementation. Times are ms since 1970 UTC.
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -46,6 +47,17 @@ struct StoreStatus {
   double free_bytes = 0;                      ///< bytes that may still be written; infinity: unknown
   std::optional<std::int64_t> oldest_queued;  ///< when the job that waits longest was posted, ms since 1970 UTC
   std::size_t callbacks = 0;                  ///< callbacks that are to be delivered
+  std::size_t beyond_engine = 0;              ///< queued jobs that need a later engine than this process has
+  /// Rows of the queue's tables that nobody sees any more and the server has not freed yet: claims walk over them.
+  double dead_rows = 0;
+  /// Age of the oldest snapshot, for which the server keeps such rows: in transactions, and in seconds as far as its
+  /// user lets this one see it.
+  double snapshot_transactions = 0, snapshot_seconds = 0;
+};
+
+/// The connections to a store's server that requests and plans of this process share. All 0: there is no server.
+struct StoreConnections {
+  std::size_t busy = 0, idle = 0, most = 0;
 };
 
 inline constexpr std::int64_t ms_per_day = 86'400'000;
@@ -124,11 +136,23 @@ struct SeriesInfo {
   int views = 0;  ///< version of the stored views; 0: none
 };
 
+/// Returns the newest revision of an attempt's progress that clients may have seen.
+using SeenRevision = std::function<std::uint64_t()>;
+
+/// The progress of an attempt, as a heartbeat tells it.
 struct Progressed {
   Attempt attempt;
   double fraction = 0;
-  std::string stage, message;
+  std::string stage = {}, message = {};
   std::uint64_t revision = 0;
+};
+
+/// An attempt that its worker still has. `revision` is the stored one; it is above the told one where the store has
+/// raised it, and what is told next needs a greater one.
+struct Held {
+  Attempt attempt;
+  std::uint64_t revision = 0;
+  bool cancel_requested = false;
 };
 
 /// A callback that is to be delivered.

@@ -1,6 +1,6 @@
 # Packs the bundled files of pages and writes them into one C++ file: embed.cmake -DOUT= -DFROM= (folder of the bundles) -DTEXTS= (folder of the texts).
 file(GLOB files ${FROM}/*.js ${FROM}/*.css ${FROM}/*.svg)
-file(GLOB_RECURSE texts RELATIVE ${TEXTS} ${TEXTS}/*.json)
+file(GLOB texts RELATIVE ${TEXTS} ${TEXTS}/de/*.json ${TEXTS}/en/*.json)
 list(SORT files)
 list(SORT texts)
 set(arrays "")

@@ -7,11 +7,12 @@ import { duration, number } from "./base/numbers";
 import { onKey, startPage } from "./base/page";
 import { texts } from "./base/texts";
 import { Delay, working } from "./base/work";
+import { loadDescriptions } from "./forms/descriptions";
 import { decode, recognise, type ReadText } from "./forms/files";
 import { takeFile } from "./forms/handover";
 import { formOf, jobForm, valueOf, type ObjectNode } from "./forms/model";
 import { OutlineView, type Outline } from "./forms/outline";
-import { drawForm, fieldAt, focusField, selectLine, showFaults, type Fault } from "./forms/render";
+import { drawForm, fieldAt, focusField, labelOf, selectLine, showFaults, type Fault } from "./forms/render";
 import type { JsonObject, Schema } from "./forms/schema";
 import { kindName } from "./jobs/row";
 
@@ -44,6 +45,7 @@ async function start(section: HTMLElement): Promise<void> {
   const [envelope, kinds, examples, machines] = await Promise.all([
     getJson<Schema>("/v1/schemas/job"), getJson<{ kinds: { kind?: string; name?: string; title?: string }[] }>("/v1/kinds"),
     getJson<{ examples: Listed[] }>("/v1/examples"), getJson<{ machines: Listed[] }>("/v1/machines"),
+    loadDescriptions(),
   ]);
   const kindNames = kinds.kinds.map((each) => (each.kind ?? each.name)!);
   const schemas = new Map<string, Promise<Schema>>();
@@ -108,7 +110,7 @@ async function start(section: HTMLElement): Promise<void> {
     node = jobForm(envelope, schema, document);
     const choices = machines.machines.filter((each) => each.kind === name);
     machineField.hidden = choices.length === 0;
-    fill(machine, h("option", { value: "" }, t("as_below")), ...choices.map((each) => h("option", { value: each.name }, each.name + (each.type ? ` (${each.type.replace(/_/g, " ")})` : "") + (each.own ? ` – ${t("own")}` : ""))));
+    fill(machine, h("option", { value: "" }, t("as_below")), ...choices.map((each) => h("option", { value: each.name }, each.name + (each.type ? ` (${labelOf(each.type)})` : "") + (each.own ? ` – ${t("own")}` : ""))));
     draw();
     changed();
     const pointer = decodeURIComponent(location.hash.slice(1));

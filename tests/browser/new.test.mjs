@@ -1,16 +1,23 @@
 // A job is made on a page: from an example, a file, another job; checked while it is written.
+import { readFileSync, readdirSync } from 'node:fs';
 import { assert, example, test } from './support.mjs';
 
 const refused = { expect: { status: [422], console: [/422/] } }; // what the check answers to a fault
 const good = (page) => page.locator('#verdict .state.succeeded').waitFor();
 const field = (page, pointer) => page.locator(`[data-pointer="${pointer}"] > input`);
 
+const descriptions = new URL('../../server/web/texts/descriptions/', import.meta.url);
+const german = new Set(readdirSync(descriptions).flatMap((name) => Object.values(JSON.parse(readFileSync(new URL(name, descriptions), 'utf8')))));
+
 for (const name of ['bracket', 'stator_slot', 'rotor_coil', 'radial_cam', 'probe_space'])
-  test(`the example ${name} is posted from its form as it is`, async ({ own, visit }) => {
+  test(`the example ${name} is posted from its form as it is, and described in German`, async ({ own, visit }) => {
     const service = await own('--workers', '0');
-    const page = await visit(`/new?example=${name}`, { service });
+    const page = await visit(`/new?example=${name}&lang=de`, { service });
     await good(page);
-    await page.page.getByRole('button', { name: 'Plan it' }).click();
+    const said = await page.read(`[...document.querySelectorAll('#form .help p, #form .add[title]')].map((each) => each.title || each.textContent)`);
+    assert.ok(said.length > 10, `${said.length} descriptions`);
+    assert.deepEqual(said.filter((text) => !german.has(text)), []);
+    await page.page.getByRole('button', { name: 'Planen' }).click();
     await page.page.waitForURL(/\/jobs\/[0-9a-f-]{36}/);
     const { jobs } = await service.ask('/v1/jobs');
     assert.deepEqual(await service.ask(`/v1/jobs/${jobs[0].id}/spec`), example(`${name}.json`));
@@ -82,6 +89,7 @@ test('a machine is chosen, and its alternative comes with it', async ({ own, vis
   await good(page);
   await page.locator('#machine').selectOption('vertical');
   await page.locator('[data-pointer="/spec/machine"] > select option:checked').filter({ hasText: 'vertical' }).waitFor({ state: 'attached' });
+  assert.ok(!page.requests.some(({ url }) => url.includes('descriptions')), 'a page in English loads no German');
   await page.page.getByRole('button', { name: 'Plan it' }).click();
   await page.page.waitForURL(/\/jobs\//);
   const { jobs } = await service.ask('/v1/jobs');

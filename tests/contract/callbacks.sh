@@ -124,7 +124,7 @@ post "$work/job.json"
 request POST "/v1/jobs/$id/cancel"
 request DELETE "/v1/jobs/$id"
 expect_status 204
-pending() { curl -sS "$url/metrics" | grep -q "^bahnwerk_callbacks_pending $1\$"; }
+pending() { curl -sS "$url/metrics" | grep "^bahnwerk_callbacks_pending $1\$" >/dev/null; }
 soon pending 0 || fail "a removed job's callback is withdrawn"
 
 # A retried job calls with the secret of the first one, and a receiver that hangs holds up nobody.
@@ -159,7 +159,7 @@ for path in "/v1/jobs/$first" "/v1/jobs" "/v1/jobs/$first/result" /metrics; do
 done
 ! grep -q "hush" "$work/log" || fail "the secret is in the log"
 logged '.event == "audit" and .action == "callback" and .job == $id and .outcome == "delivered" and .status == 200' --arg id "$quick" || fail "an audit line"
-curl -sS "$url/metrics" | grep -q '^bahnwerk_callback_attempts_total{outcome="delivered"} [1-9]' || fail "the metrics"
+curl -sS "$url/metrics" | grep '^bahnwerk_callback_attempts_total{outcome="delivered"} [1-9]' >/dev/null || fail "the metrics"
 begin=$SECONDS
 stop_server TERM || fail "the server ends while a receiver hangs"
 ((SECONDS - begin < 10 * ${SLOWER:-1} + 5)) || fail "it ends soon"

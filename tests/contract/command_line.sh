@@ -67,10 +67,19 @@ refused() { # words, then the command
 }
 refused "server cannot be reached" "$bahnwerk" key list --store "postgresql://me:secret@/x?host=$work"
 grep -q secret "$work/err" && fail "the password of the store was printed"
-refused "brought up to date by" "$bahnwerk" migrate --store "sqlite:$work/a.db"
+refused "has schema version 0" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/new.db" --store-migrate never
+expect_equal "$(code_of "$bahnwerk" migrate --store "sqlite:$work/new.db")" 0 "a store is made"
+store=$work/new.db start_server --store-migrate never
+refused "uses this store" "$bahnwerk" migrate --store "sqlite:$work/new.db"
+stop_server || fail "an orderly end with --store-migrate never"
+refused "there is no store" "$bahnwerk" migrate-store "$work/none.db" "postgresql://me@/x?host=$work"
+refused "bahnwerk backup" "$bahnwerk" migrate-store "$work/a.db" "sqlite:$work/b.db"
+refused "pg_dump" "$bahnwerk" migrate-store "postgresql://me@/x?host=$work" "postgresql://me@/y?host=$work"
 refused "has no password" "$bahnwerk" serve --listen 127.0.0.1:0 --store "postgresql://me@/x?host=$work" --store-password-file "$work/none"
 refused "is for a store postgresql" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/a.db" --store-password-file "$work/none"
 refused "not in {on,off}" "$bahnwerk" serve --store-notify maybe
+refused "not in {on,off}" "$bahnwerk" serve --store-prepared maybe
+refused "names a PostgreSQL server" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/a.db" --store-listen-url "postgresql://me@/x?host=$work"
 refused "unsupported store" "$bahnwerk" serve --listen 127.0.0.1:0 --store /tmp/x.db
 refused "is no address" "$bahnwerk" serve --listen nonsense --store "sqlite:$work/a.db"
 refused "is no port" "$bahnwerk" serve --listen 127.0.0.1:99999 --store "sqlite:$work/a.db"
@@ -152,7 +161,7 @@ snake 20000 '{"time_budget":0.2}' >"$work/budget.json"
 client 1 submit "$work/budget.json" --wait --server "$url"
 jq -e '.type == "/problems/budget-exhausted"' "$work/out" >/dev/null || fail "submit --wait prints why"
 stop_server || fail "orderly end"
-for command in "" serve plan submit watch fetch health backup check migrate; do
+for command in "" serve plan submit watch fetch health backup check migrate migrate-store; do
   client 0 $command --help
   grep -q "Exit codes: 0 " "$work/out" || fail "help of '$command' names the exit codes"
 done
@@ -161,7 +170,7 @@ done
 client 0 serve --help
 mapfile -t flags < <(grep -o 'Env:BAHNWERK_[A-Z_]*' "$work/out" | sort -u | sed 's/Env:BAHNWERK_//')
 ((${#flags[@]} >= 14)) || fail "help names ${#flags[@]} variables"
-declare -A good=([LISTEN]= [STORE]= [WORKERS]=1 [ROLE]=all [STORE_NOTIFY]=off [STORE_CONNECTIONS]=8 [HTTP_THREADS]=1 [MAX_QUEUED]=5 [MAX_BODY]=1MiB [MAX_CONNECTIONS]=9
+declare -A good=([LISTEN]= [STORE]= [WORKERS]=1 [ROLE]=all [STORE_NOTIFY]=off [STORE_PREPARED]=on [STORE_MIGRATE]=auto [STORE_CONNECTIONS]=8 [HTTP_THREADS]=1 [MAX_QUEUED]=5 [MAX_BODY]=1MiB [MAX_CONNECTIONS]=9
   [HEADER_TIMEOUT]=5 [BODY_TIMEOUT]=5 [IDLE_TIMEOUT]=5 [WRITE_TIMEOUT]=5 [DRAIN_TIMEOUT]=1 [LOG_LEVEL]=debug)
 for name in "${flags[@]}"; do
   [[ -v "good[$name]" ]] || continue

@@ -21,6 +21,7 @@ class Database:
     def __init__(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="bahnwerk-postgres-"))
         self.data = self.folder / "data"
+        self.settings = "-c fsync=off -c max_connections=100"
         self.url = f"postgresql://postgres@/bahnwerk?host={self.folder}"
         # The server refuses to be root's.
         user = pwd.getpwnam("nobody")
@@ -52,7 +53,7 @@ class Database:
 
     def start(self):
         self.run("pg_ctl", "-D", self.data, "-w", "-t", "600", "-l", self.folder / "log", "-o",
-                 f"-k {self.folder} -c listen_addresses= -c fsync=off -c max_connections=100", "start")
+                 f"-k {self.folder} -c listen_addresses= {self.settings}", "start")
 
     def stop(self, mode="fast"):
         self.run("pg_ctl", "-D", self.data, "-w", "-t", "600", "-m", mode, "stop")

@@ -36,11 +36,14 @@ def say(text):
 class Plant:
     """Two processes of each role on one database, which is away at first."""
 
-    def __init__(self, binary, database):
+    def __init__(self, binary, database, url=None, more=None):
+        """`more` gives further arguments for the process of a number: 0 and 1 serve, 2 and 3 plan."""
         arguments = ("--workers", "1", "--worker-nice", "0")
+        more = more or (lambda number: ("--store-notify", "off") if number == 1 else ())
+        url = url or database.url
         self.binary, self.database = binary, database
-        self.apis = [Service(binary, "--role", "api", *more, url=database.url) for more in ((), ("--store-notify", "off"))]
-        self.workers = [Service(binary, "--role", "worker", *arguments, url=database.url) for _ in range(2)]
+        self.apis = [Service(binary, "--role", "api", *more(number), url=url) for number in range(2)]
+        self.workers = [Service(binary, "--role", "worker", *arguments, *more(number), url=url) for number in (2, 3)]
         self.posted, self.lock = {}, threading.Lock()
 
     def all(self):
@@ -254,6 +257,23 @@ def serves_without_rights(plant):
         service.__exit__()
 
 
+def two_versions(plant):
+    """What a later version has taken waits for its planners; a trigger plays that version."""
+    database, one = plant.database, plant.apis[0]
+    beyond = lambda number: all(f"bahnwerk_queue_beyond_engine {number}\n" in each.ask("GET", "/metrics")[2].decode() for each in plant.all())
+    database.ask("CREATE FUNCTION bahnwerk.later() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN NEW.needs = 1000; RETURN NEW; END'; "
+                 "CREATE TRIGGER later BEFORE INSERT ON bahnwerk.jobs FOR EACH ROW EXECUTE FUNCTION bahnwerk.later()")
+    later = one.post(DOCUMENTS[0])
+    database.ask("DROP TRIGGER later ON bahnwerk.jobs; DROP FUNCTION bahnwerk.later")
+    for _ in range(3):
+        expect(ended(one, one.post(DOCUMENTS[0]))["state"] == "succeeded", "others are planned")
+    expect(one.json(f"/v1/jobs/{later}")["state"] == "queued", "it waits")
+    expect(beyond(1), "all processes tell of it")
+    database.ask("UPDATE bahnwerk.jobs SET needs = 0 WHERE state = 'queued'")
+    expect(ended(one, later)["state"] == "succeeded", "it is planned by one that can")
+    expect(beyond(0), "none is left")
+
+
 def standby(plant):
     """A process on a standby serves what has ended, and everything after the promotion."""
     id = list(plant.posted.values())[0]
@@ -281,7 +301,7 @@ def main():
     with Database() as database:
         plant = Plant(sys.argv[1], database)
         try:
-            for fault in (begins_without_its_server, refusals, shows_what_others_do, kills, server_restarts, server_stands_still, paused_worker, serves_without_rights, standby):
+            for fault in (begins_without_its_server, refusals, shows_what_others_do, kills, server_restarts, server_stands_still, paused_worker, two_versions, serves_without_rights, standby):
                 say(fault.__name__.replace("_", " "))
                 fault(plant)
                 plant.ready()

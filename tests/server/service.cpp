@@ -370,6 +370,33 @@ TEST_F(ServiceTest, SaysWhichBuildItIs) {
       (json{{"status", "alive"}, {"version", "1.2.3"}, {"commit", "0123456789ab"}, {"build", "Release, X 1, -O9"}}));
 }
 
+TEST_F(ServiceTest, MeasuresTheStoreAndItsQueue) {
+  options.workers = 0;
+  start_with_manual_time();
+  posted("{}");
+  time.advance(7s);
+  posted("{}");
+  const std::string text = get("/metrics").body;
+  for (const std::string line :
+       {"bahnwerk_queue_length 2", "bahnwerk_queue_oldest_seconds 7", "bahnwerk_queue_beyond_engine 0",
+        "bahnwerk_store_state{state=\"up\"} 1", "bahnwerk_store_state{state=\"away\"} 0",
+        "bahnwerk_store_connections_max 0", "bahnwerk_claim_seconds_count 0"})
+    EXPECT_NE(text.find('\n' + line + '\n'), std::string::npos) << line;
+}
+
+TEST_F(ServiceTest, MeasuresWhileItsStoreIsAway) {
+  options.store = "postgresql://nobody@/none?host=" + folder.path.string();
+  start();
+  EXPECT_EQ(get("/readyz").status, 503);
+  const Response metrics = get("/metrics");
+  EXPECT_EQ(metrics.status, 200);
+  for (const std::string line :
+       {"bahnwerk_store_state{state=\"away\"} 1", "bahnwerk_store_state{state=\"up\"} 0", "bahnwerk_queue_length Nan",
+        "bahnwerk_jobs{state=\"running\"} Nan", "bahnwerk_store_bytes Nan", "bahnwerk_workers 2",
+        "bahnwerk_feed_caught_up_timestamp_seconds Nan"})
+    EXPECT_NE(metrics.body.find('\n' + line + '\n'), std::string::npos) << line;
+}
+
 TEST_F(ServiceTest, SaysWhyItCannotStart) {
   start();
   ServiceOptions second = options;

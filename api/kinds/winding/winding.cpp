@@ -69,7 +69,7 @@ struct WindingKind {
     declare_path(facts.limits, asked.along);
     declare_axes(facts.limits, in_degrees(*asked.configurations.front()));
     const double bears = std::min(asked.tension.permitted, asked.bears > 0 ? asked.bears : unlimited);
-    if (std::isfinite(bears)) facts.limits.push_back({"wire tension", "N", "brake", 0, {-bears, bears}});
+    if (std::isfinite(bears)) facts.limits.push_back({"wire tension", "N", "tension", 0, {-bears, bears}});
     return facts;
   }
 

@@ -1,5 +1,6 @@
 #include "core/motion/setpoints/needle_setpoints.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -18,14 +19,14 @@ Machine in_degrees(Machine machine) {
 
 NeedleSetpoints::NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion,
                                  std::shared_ptr<const KinematicAxisPath> axes, const Machine& machine,
-                                 std::size_t cycles, BrakeForce brake,
+                                 std::size_t cycles, WireForces wire,
                                  std::shared_ptr<const Interpolation> interpolation, std::optional<PoseFrame> frame)
     : MotionSetpoints(motion, in_degrees(machine), cycles),
       motion_(motion),
       axes_(std::move(axes)),
       interpolation_(std::move(interpolation)),
       shown_(shown(machine)),
-      brake_(std::move(brake)),
+      wire_(std::move(wire)),
       frame_(frame) {
   for (const AxisLimits& axis : in_degrees(machine).axes) add_column({"j" + axis.name, axis.unit + "/s³"});
   for (const Column& column : {Column{"x", "mm"},
@@ -40,7 +41,8 @@ NeedleSetpoints::NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion
                                {"vy", "mm/s"},
                                {"vz", "mm/s"},
                                {"vphi", "deg/s"},
-                               {"vpsi", "deg/s"}})
+                               {"vpsi", "deg/s"},
+                               {"tension", "N"}})
     add_column(column);
 }
 
@@ -85,8 +87,9 @@ void NeedleSetpoints::write(Row& row, double* out) const {
   out += 4 * n;
   const Vec &at = tool.position.value, &along = tool.position.d1;
   for (const double value :
-       {at.x, at.y, at.z, degrees * tool.phi.value, degrees * tool.psi.value, x.s, x.v, brake_(segment, u, x),
-        x.v * along.x, x.v * along.y, x.v * along.z, degrees * x.v * tool.phi.d1, degrees * x.v * tool.psi.d1})
+       {at.x, at.y, at.z, degrees * tool.phi.value, degrees * tool.psi.value, x.s, x.v, wire_.brake(segment, u, x),
+        x.v * along.x, x.v * along.y, x.v * along.z, degrees * x.v * tool.phi.d1, degrees * x.v * tool.psi.d1,
+        wire_.tension(std::max(0.0, row.t - cycle_time()), row.t)})
     *out++ = value + 0.0;
 }
 

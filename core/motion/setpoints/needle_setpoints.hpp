@@ -1,5 +1,5 @@
 #pragma once
-/// The setpoints of a winding machine: its axes, the needle's pose and speed, the brake of the wire.
+/// The setpoints of a winding machine: its axes, the needle's pose and speed, brake and tension of the wire.
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -13,13 +13,19 @@
 
 namespace bahnwerk {
 
-/// Returns the force to which the wire's brake is set, N, for the needle at parameter u of a segment of its path, at
-/// the speed and acceleration of `law`.
-using BrakeForce = std::function<double(std::size_t segment, double u, const LawState& law)>;
+/// The forces of the wire, N.
+struct WireForces {
+  /// Returns the force to which the brake is set for the needle at parameter u of a segment of its path, at the speed
+  /// and acceleration of `law`.
+  std::function<double(std::size_t segment, double u, const LawState& law)> brake;
+  /// Returns the wire's tension at its place in the middle of a time from … to of the motion.
+  std::function<double(double from, double to)> tension;
+};
 
 /// The columns are those of MotionSetpoints, then j<axis> of every axis, x, y, z (mm), phi, psi (deg) of the needle in
 /// the part's frame, s (mm) and v (mm/s) along its path, brake (N), and vx, vy, vz (mm/s), vphi, vpsi (deg/s), the
-/// rates of the pose. Rotary axes are in deg, deg/s …: shown() has the factor of an axis of unit rad.
+/// rates of the pose, and tension (N), which is the wire's in the middle of the cycle that ends with the row. Rotary
+/// axes are in deg, deg/s …: shown() has the factor of an axis of unit rad.
 ///
 /// With an interpolation, the rows' places are its own, slightly off those of the law; speed, acceleration and jerk
 /// along the path are the law's at the row's time.
@@ -28,7 +34,7 @@ class NeedleSetpoints final : public MotionSetpoints {
   /// `motion` drives `axes` and lasts `cycles` whole cycles, as does the interpolation. Without an interpolation places
   /// are the law's, which are those of the exact interpolator.
   NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion, std::shared_ptr<const KinematicAxisPath> axes,
-                  const Machine& machine, std::size_t cycles, BrakeForce brake,
+                  const Machine& machine, std::size_t cycles, WireForces wire,
                   std::shared_ptr<const Interpolation> interpolation = nullptr,
                   std::optional<PoseFrame> frame = std::nullopt);
   std::optional<PoseFrame> pose_frame() const override { return frame_; }
@@ -48,7 +54,7 @@ class NeedleSetpoints final : public MotionSetpoints {
   std::shared_ptr<const KinematicAxisPath> axes_;
   std::shared_ptr<const Interpolation> interpolation_;
   std::vector<double> shown_;
-  BrakeForce brake_;
+  WireForces wire_;
   std::optional<PoseFrame> frame_;
 };
 

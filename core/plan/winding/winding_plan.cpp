@@ -229,7 +229,9 @@ class Planner {
     planning.setpoints = [&](const std::shared_ptr<const PathMotion>& motion, std::size_t cycles) {
       return std::make_unique<NeedleSetpoints>(
           motion, plan_.machine.axes, planning.machine, cycles,
-          [wire](std::size_t segment, double u, const LawState& law) { return wire->brake(segment, u, law); },
+          WireForces{
+              [wire](std::size_t segment, double u, const LawState& law) { return wire->brake(segment, u, law); },
+              [wire, motion](double from, double to) { return wire->tension(*motion, from, to); }},
           interpolate(motion, cycles), request_.frame);
     };
     if (request_.interpolator != Interpolator::exact) planning.lag = most_lag;

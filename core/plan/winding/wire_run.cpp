@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/base/read_rows.hpp"
@@ -64,6 +65,27 @@ Drawing WireRun::drawing(std::size_t segment, double u, const LawState& law) con
   const winding::FreeWire free = wire(segment, tool_->orientation->tool(tool_->tool[segment], segment, u));
   const double slope = free.length.derivative(1);
   return {slope * law.v, free.length.derivative(2) * law.v * law.v + slope * law.a, free.bend.value()};
+}
+
+double WireRun::tension(const PathMotion& motion, double from, double to) const {
+  if (ideal()) return winding::compensating_brake(model_, {});
+  const auto& pieces = motion.law().pieces();
+  auto at = [&, piece = std::size_t{0}](double t) mutable {
+    piece = motion.law().find(t, piece);
+    const LawState law = motion.along(piece, t);
+    const std::size_t segment = pieces[piece].segment;
+    const Drawing drawn = drawing(segment, tool_->tool[segment].parameter(law.s), law);
+    return std::tuple(tool_->tool[segment].source(), drawn, winding::compensating_brake(model_, drawn));
+  };
+  const auto [source, left, brake] = at(from);
+  auto middle = std::get<Drawing>(at(0.5 * (from + to)));
+  const auto [next_source, right, next_brake] = at(to);
+  const bool other_coil = next_source != source && anchors_[next_source].free;
+  if (other_coil || !(to > from))
+    middle.acceleration = 0;
+  else if (next_source == source)
+    middle.acceleration = (right.speed - left.speed) / (to - from);
+  return winding::tension(model_, 0.5 * (brake + next_brake), middle);
 }
 
 struct WireRows::State {

@@ -13,15 +13,22 @@ namespace {
 
 using api::JobState;
 
+/// Time for which a claim begins its search where the last one of the process ended. The index's entries of claimed
+/// jobs stay as long as any snapshot is older than their claims, and each search from the queue's head would pass all
+/// of them.
+constexpr std::chrono::seconds searched_for{1};
+
 /// Isolation: READ COMMITTED; SKIP LOCKED gives no row to two. MATERIALIZED is necessary: planned into the update, the
 /// query could lock more rows than its limit. A suspect waits until nothing else runs in the worker's process, and the
-/// others until it has ended.
+/// others until it has ended. $6 to $8 are the place in the queue after which the search begins. $9 are the jobs that
+/// the process has: found by their ids, because `runs` keeps the rows of all that ended since the oldest snapshot.
 std::string claim_statement() {
   return std::string(
              "WITH next AS MATERIALIZED (SELECT id, suspect FROM jobs WHERE state = 'queued' AND needs <= $5 "
-             "ORDER BY rank, turn, id LIMIT 1 FOR UPDATE SKIP LOCKED), "
-             "mine AS (SELECT count(*) AS number, coalesce(bool_or(suspect), false) AS suspects FROM runs "
-             "WHERE worker = $1), "
+             "AND (rank, turn, id) > ($6, $7, $8) ORDER BY rank, turn, id LIMIT 1 FOR UPDATE SKIP LOCKED), "
+             "mine AS (SELECT count(*) AS number, coalesce(bool_or(held.suspect), false) AS suspects FROM unnest($9) "
+             "AS m "
+             "(id), LATERAL (SELECT suspect FROM runs WHERE runs.id = m.id AND worker = $1 OFFSET 0) AS held), "
              "job AS (UPDATE jobs SET state = 'running', attempt = attempt + 1, token = token + 1, started_at = $2, "
              "revision = revision + 1 FROM next, mine WHERE jobs.id = next.id AND (mine.number = 0 OR NOT "
              "(next.suspect OR mine.suspects)) RETURNING jobs.*), "
@@ -32,7 +39,7 @@ std::string claim_statement() {
              "counted AS (INSERT INTO count_deltas (state, owner, jobs) SELECT s.state, coalesce(job.owner, ''), "
              "s.jobs FROM job, (VALUES ('queued', -1), ('running', 1)) AS s (state, jobs)) SELECT ")
       .append(postgres_job_columns)
-      .append(" FROM job AS j LEFT JOIN runs AS r ON r.id = j.id");
+      .append(", j.turn FROM job AS j LEFT JOIN runs AS r ON r.id = j.id");
 }
 
 /// What follows the update of `jobs`, which the step's `job` is: the attempt is over, others hear of it, and the counts
@@ -55,7 +62,7 @@ std::string call_name() {
 }
 
 /// $1 id, $2 state, $3 token, $4 next state, $5 time, $6 revision seen, $7 leap, $8 cancellation, $9 error, $10 name of
-/// the call, $11 result.
+/// the call, $11 result, $12 version of the program.
 const std::string& end_statement() {
   static const std::string sql =
       std::string(
@@ -66,8 +73,8 @@ const std::string& end_statement() {
           .append(fence)
           .append(
               "RETURNING jobs.id, jobs.owner, jobs.token, started_at, finished_at), "
-              "result AS (INSERT INTO results (id, token, document) SELECT id, token, $11 FROM job WHERE $11 IS NOT "
-              "NULL), "
+              "result AS (INSERT INTO results (id, token, document, planned_by) SELECT id, token, $11, $12 FROM job "
+              "WHERE $11 IS NOT NULL), "
               "left_over AS (INSERT INTO leftovers (id, token) SELECT id, token FROM job WHERE $2 = 'running' "
               "ON CONFLICT DO NOTHING), "
               "spent AS (INSERT INTO planning_use (owner, day, ms) SELECT owner, floor(extract(epoch FROM finished_at) "
@@ -112,7 +119,7 @@ PostgresStatement PostgresStore::statement_of(const Step& step) {
   if (queued)
     values << step.losses;
   else
-    (values << step.to.error).uuid(step.ended_by).bytes(step.result);
+    (values << step.to.error).uuid(step.ended_by).bytes(step.result) << step.planned_by;
   return {queued ? queue_statement() : end_statement(), std::move(values)};
 }
 
@@ -144,12 +151,19 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
   static const std::string sql = claim_statement();
   std::optional<api::Job> job;
   const auto length = lease.until == Lease::forever ? std::nullopt : std::optional(lease.until - lease.now);
-  const auto take = [&] {
+  const auto take = [&](const QueuePlace& after) {
     writing([&](PostgresConnection& connection) {
       PostgresParameters values;
       (values << lease.worker).time(lease.now).time(clock(lease.now)) << length << std::int64_t{options_.engine};
+      (values << after.rank << after.turn).uuid(after.id).uuids(given());
+      const std::uint64_t known = queue_changes_;
       const auto rows = connection.run(sql, values);
-      if (!rows.empty()) job = job_from(rows, 0);
+      if (rows.empty()) return;
+      job = job_from(rows, 0);
+      // What is queued before this place meanwhile has to be found by the next claim.
+      claimed_up_to_ = {rows.integer(0, 5), rows.integer(0, postgres_job_column_count), job->id};
+      if (after == QueuePlace{}) searched_all_ = std::chrono::steady_clock::now();
+      known_queue_ = known;
     });
   };
   const std::lock_guard lock(claim_mutex_);
@@ -159,8 +173,16 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
   }
   const bool adopted = job.has_value();
   try {
-    if (!job) take();
-    if (!job && !lose(lease.now).empty()) take();
+    const bool fresh =
+        known_queue_ == queue_changes_ && std::chrono::steady_clock::now() < searched_all_ + searched_for;
+    if (!job && fresh) take(claimed_up_to_);
+    if (!job) take({});
+    if (!job) {
+      if (const auto lost = lose(lease.now); !lost.empty()) {
+        options_.lost(lost);
+        take({});
+      }
+    }
     if (!job) return job;
     if (!adopted) publish({{.id = job->id, .state = JobState::running}});
     // By the id alone, so that its partition is known.
@@ -196,38 +218,60 @@ std::optional<api::Job> PostgresStore::adopt(PostgresConnection& connection, con
   return std::nullopt;
 }
 
+std::vector<std::string> PostgresStore::given() {
+  std::vector<std::string> ids;
+  const std::lock_guard lock(given_mutex_);
+  for (const auto& [id, token] : given_) ids.push_back(id);
+  return ids;
+}
+
 void PostgresStore::forget(const Attempt& attempt) {
   const std::lock_guard lock(given_mutex_);
   given_.erase({attempt.id, attempt.token});
 }
 
-/// Fence: token and worker. One statement for all attempts, not waited for until it is on the disk.
-std::vector<Attempt> PostgresStore::heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) {
-  std::vector<Attempt> over;
-  if (attempts.empty()) return over;
-  std::vector<std::string> ids;
-  std::vector<std::int64_t> tokens;
-  for (const Attempt& attempt : attempts) {
-    ids.push_back(attempt.id);
-    tokens.push_back(attempt.token);
+/// Fence: token and worker. One statement for all attempts, not waited for until it is on the disk: what a crash of the
+/// server may undo, raise_revisions() makes up for. READ COMMITTED.
+std::vector<Held> PostgresStore::heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) {
+  std::vector<Held> held;
+  if (attempts.empty()) return held;
+  std::vector<std::string> ids, stages, messages;
+  std::vector<std::int64_t> tokens, revisions;
+  std::vector<double> fractions;
+  for (const Progressed& p : attempts) {
+    ids.push_back(p.attempt.id);
+    tokens.push_back(p.attempt.token);
+    fractions.push_back(p.fraction);
+    stages.push_back(p.stage);
+    messages.push_back(p.message);
+    revisions.push_back(static_cast<std::int64_t>(p.revision));
   }
   const auto length = lease.until == Lease::forever ? std::nullopt : std::optional(lease.until - lease.now);
-  std::set<std::pair<std::string, std::int64_t>> held;
   with_connection_of(leases_, true, [&](PostgresConnection& connection) {
     PostgresParameters values;
     values.uuids(ids).integers(tokens).time(clock(lease.now)) << length << lease.worker;
+    values.numbers(fractions).texts(stages).texts(messages).integers(revisions);
     const auto rows = connection.run_all(
         {{"SELECT set_config('synchronous_commit', 'off', true)"},
          {"UPDATE runs SET lease_until = CASE WHEN $4 IS NULL THEN 'infinity' ELSE coalesce($3, clock_timestamp()) + "
-          "$4 * interval '1 ms' END, lease_ms = $4 FROM unnest($1, $2) AS held (id, token) WHERE runs.id = held.id AND "
-          "runs.token = held.token AND worker = $5 RETURNING runs.id, runs.token",
+          "$4 * interval '1 ms' END, lease_ms = $4, revision = greatest(runs.revision, p.revision), "
+          "fraction = CASE WHEN p.revision >= runs.revision THEN p.fraction ELSE runs.fraction END, "
+          "stage = CASE WHEN p.revision >= runs.revision THEN p.stage ELSE runs.stage END, "
+          "message = CASE WHEN p.revision >= runs.revision THEN p.message ELSE runs.message END "
+          "FROM unnest($1, $2, $6, $7, $8, $9) AS p (id, token, fraction, stage, message, revision) "
+          "JOIN jobs ON jobs.id = p.id WHERE runs.id = p.id AND runs.token = p.token AND worker = $5 "
+          "RETURNING runs.id, runs.token, runs.revision, jobs.cancel_requested",
           std::move(values)}});
     held.clear();
-    for (std::size_t row = 0; row < rows[1].size(); ++row) held.emplace(rows[1].uuid(row, 0), rows[1].integer(row, 1));
+    for (std::size_t row = 0; row < rows[1].size(); ++row)
+      held.push_back({{rows[1].uuid(row, 0), rows[1].integer(row, 1)},
+                      static_cast<std::uint64_t>(rows[1].integer(row, 2)),
+                      rows[1].flag(row, 3)});
   });
-  for (const Attempt& attempt : attempts)
-    if (!held.contains({attempt.id, attempt.token})) over.push_back(attempt);
-  return over;
+  for (const Progressed& p : attempts)
+    if (std::none_of(held.begin(), held.end(), [&](const Held& each) { return each.attempt == p.attempt; }))
+      forget(p.attempt);
+  return held;
 }
 
 bool PostgresStore::end(const Attempt& attempt, const Ending& ending) {
@@ -238,7 +282,8 @@ bool PostgresStore::end(const Attempt& attempt, const Ending& ending) {
                 .now = ending.now,
                 .seen = ending.revision,
                 .ended_by = call_name(),
-                .result = ending.result.empty() ? std::nullopt : std::optional(pack_text(ending.result))});
+                .result = ending.result.empty() ? std::nullopt : std::optional(pack_text(ending.result)),
+                .planned_by = options_.planned_by});
 }
 
 /// Which of the two steps is made is decided under the lock of the job's row: a cancellation comes before it or after.

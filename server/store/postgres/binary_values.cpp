@@ -68,20 +68,6 @@ std::size_t utf8_length(std::string_view text) {
   return follows(3) && !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F) ? 4 : 0;
 }
 
-std::string storable(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    if (length == 0)
-      out += '?';
-    else
-      out.append(text.substr(0, length));
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return out;
-}
-
 /// An array of one dimension in binary form: dimensions, whether it has NULLs, type, length, lowest index; elements.
 template <class Add>
 std::string array_of(unsigned type, std::size_t size, Add&& add) {
@@ -101,6 +87,20 @@ std::string array_of(unsigned type, std::size_t size, Add&& add) {
 }
 
 }  // namespace
+
+std::string storable(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0)
+      out += '?';
+    else
+      out.append(text.substr(0, length));
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
+}
 
 PostgresParameters& PostgresParameters::add(unsigned type, std::optional<std::string> bytes) {
   values_.push_back({.type = type, .own = std::move(bytes)});

@@ -11,14 +11,16 @@ struct pg_result;
 
 namespace bahnwerk::server {
 
+/// Returns a text as the server can keep it: bytes that are no UTF-8, and U+0000, become question marks.
+std::string storable(std::string_view text);
+
 /// Values of a statement's parameters in the binary form of the protocol, in order.
 class PostgresParameters {
  public:
   PostgresParameters& operator<<(std::int64_t value);
   PostgresParameters& operator<<(double value);
   PostgresParameters& operator<<(bool value);
-  /// Bytes that are no UTF-8, and U+0000, become question marks: the server has no place for them.
-  PostgresParameters& operator<<(std::string_view text);
+  PostgresParameters& operator<<(std::string_view text);  ///< as storable() has it, as are all texts
   PostgresParameters& operator<<(const std::string& text) { return *this << std::string_view(text); }
   PostgresParameters& operator<<(const char* text) { return *this << std::string_view(text); }
   PostgresParameters& operator<<(const std::optional<std::string>& text);

@@ -75,6 +75,7 @@ Changes PostgresStore::changes_since(std::uint64_t sequence, std::size_t limit,
     Changes changes;
     changes.gap = sequence > last || rows[0].empty() || static_cast<std::int64_t>(sequence) < rows[0].integer(0, 0);
     const PostgresRows& list = rows[1];
+    bool queued = changes.gap;
     for (std::size_t row = 0; row < list.size(); ++row) {
       Changed changed;
       changed.sequence = static_cast<std::uint64_t>(list.integer(row, 0));
@@ -85,8 +86,10 @@ Changes PostgresStore::changes_since(std::uint64_t sequence, std::size_t limit,
         changed.cancel_requested = changed.state == api::JobState::running && list.flag(row, 3);
         changed.revision = static_cast<std::uint64_t>(list.integer(row, 4));
       }
+      queued = queued || changed.state == api::JobState::queued;
       changes.list.push_back(std::move(changed));
     }
+    if (queued) ++queue_changes_;
     return changes;
   });
 }

@@ -10,9 +10,24 @@ namespace {
 
 constexpr int binary = 1;
 
-constexpr auto session =
+constexpr auto session_start =
     "SET statement_timeout = '30s'; SET lock_timeout = '2s'; SET idle_in_transaction_session_timeout = '10s'; "
     "SET client_connection_check_interval = '2s'; SET jit = off; SET search_path = bahnwerk";
+
+/// The first statement of each transaction of a pooled session: the same settings, and what the server would say over a
+/// session of its own.
+const PostgresStatement transaction_start{
+    "SELECT pg_postmaster_start_time(), pg_is_in_recovery() OR current_setting('default_transaction_read_only') = "
+    "'on', "
+    "set_config('statement_timeout', '30s', true), set_config('lock_timeout', '2s', true), "
+    "set_config('idle_in_transaction_session_timeout', '10s', true), "
+    "set_config('client_connection_check_interval', '2s', true), set_config('jit', 'off', true), "
+    "set_config('search_path', 'bahnwerk', true)"};
+const PostgresStatement transaction_begin{"BEGIN"};
+
+std::string version_text(int version) {
+  return std::to_string(version / 10'000) + "." + std::to_string(version % 10'000);
+}
 
 std::string first_line(const char* message) {
   std::string text(message ? message : "");
@@ -29,8 +44,8 @@ int milliseconds_until(std::chrono::steady_clock::time_point until) {
 
 }  // namespace
 
-PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience patience)
-    : patience_(patience), since_(std::chrono::steady_clock::now()) {
+PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience patience, PostgresSession session)
+    : patience_(patience), session_(session), since_(std::chrono::steady_clock::now()) {
   const auto until = since_ + patience.brief;
   const std::string seconds = std::to_string(std::max<std::int64_t>(2, patience.brief.count() / 1000));
   const char* const words[] = {"dbname",          "fallback_application_name", "connect_timeout",  "client_encoding",
@@ -44,9 +59,10 @@ PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience 
     if (PQstatus(connection_) == CONNECTION_BAD || step == PGRES_POLLING_FAILED) {
       const std::string why = first_line(PQerrorMessage(connection_));
       // libpq gives no SQLSTATE here. What is not known to be a refusal may pass.
-      static constexpr std::string_view refusals[] = {"authentication failed", "no password supplied",
-                                                      "does not exist",        "pg_hba.conf",
-                                                      "permission denied for", "not permitted to log in"};
+      static constexpr std::string_view refusals[] = {
+          "authentication failed", "no password supplied",  "does not exist",
+          "pg_hba.conf",           "permission denied for", "not permitted to log in",
+          "no such database",      "no such user",          "unsupported startup parameter"};
       const bool refused = why.find("No such file") == std::string::npos &&
                            std::any_of(std::begin(refusals), std::end(refusals),
                                        [&](std::string_view each) { return why.find(each) != std::string::npos; });
@@ -62,7 +78,13 @@ PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience 
   PQsetNoticeProcessor(
       connection_, [](void*, const char*) {}, nullptr);
   try {
-    script(session);
+    if (const int version = PQserverVersion(connection_); version < least_version)
+      throw StoreRefused("the PostgreSQL server has version " + version_text(version) + "; the store needs " +
+                         version_text(least_version) + " or later");
+    if (session_ == PostgresSession::own)
+      script(session_start);
+    else
+      send({}, until);  // a pooler may answer for a server that is away
   } catch (...) {
     PQfinish(std::exchange(connection_, nullptr));
     throw;
@@ -126,16 +148,43 @@ void PostgresConnection::check(pg_result* result) {
 
 std::vector<PostgresRows> PostgresConnection::send(const std::vector<PostgresStatement>& statements, Time until) {
   if (!connection_) throw StoreAway("the PostgreSQL server is away");
+  std::vector<const PostgresStatement*> all;
+  const bool starts = session_ == PostgresSession::pooled && PQtransactionStatus(connection_) == PQTRANS_IDLE;
+  if (starts) all.push_back(&transaction_start);
+  for (const PostgresStatement& statement : statements) all.push_back(&statement);
+  std::vector<PostgresRows> rows = exchange(all, until);
+  if (starts) {
+    note(rows.front());
+    rows.erase(rows.begin());
+  }
+  return rows;
+}
+
+/// Takes what a transaction of a pooled session has found. Another server, or one that has started again, counts as a
+/// lost connection, because a pooler hides it: what the transaction did is unknown to the caller.
+void PostgresConnection::note(const PostgresRows& start) {
+  read_only_ = start.flag(0, 1);
+  const std::int64_t since = start.time(0, 0);
+  if (server_start_.value_or(since) != since) lose("it has started again");
+  server_start_ = since;
+}
+
+void PostgresConnection::begin() {
+  if (session_ == PostgresSession::own) return script("BEGIN");
+  if (!connection_) throw StoreAway("the PostgreSQL server is away");
+  note(exchange({&transaction_begin, &transaction_start}, std::chrono::steady_clock::now() + patience_.brief).at(1));
+}
+
+std::vector<PostgresRows> PostgresConnection::exchange(const std::vector<const PostgresStatement*>& statements,
+                                                       Time until) {
   const auto sent = [this](int done) {
     if (done == 0) lose(first_line(PQerrorMessage(connection_)));
   };
   sent(PQenterPipelineMode(connection_));
   const std::size_t known = prepared_.size();
   std::vector<bool> prepares;  // whether what was sent prepares a statement, or runs one
-  for (const PostgresStatement& statement : statements) {
-    auto found =
-        std::find_if(prepared_.begin(), prepared_.end(), [&](const auto& each) { return each.first == statement.sql; });
-    const auto& values = statement.parameters.values_;
+  for (const PostgresStatement* const statement : statements) {
+    const auto& values = statement->parameters.values_;
     const auto count = static_cast<int>(values.size());
     std::vector<Oid> types;
     std::vector<const char*> data;
@@ -146,8 +195,16 @@ std::vector<PostgresRows> PostgresConnection::send(const std::vector<PostgresSta
       data.push_back(value.shared ? value.shared : value.own ? value.own->data() : nullptr);
       sizes.push_back(static_cast<int>(value.shared ? value.size : value.own ? value.own->size() : 0));
     }
+    if (session_ == PostgresSession::pooled) {
+      sent(PQsendQueryParams(connection_, std::string(statement->sql).c_str(), count, types.data(), data.data(),
+                             sizes.data(), forms.data(), binary));
+      prepares.push_back(false);
+      continue;
+    }
+    auto found = std::find_if(prepared_.begin(), prepared_.end(),
+                              [&](const auto& each) { return each.first == statement->sql; });
     if (found == prepared_.end()) {
-      prepared_.emplace_back(std::string(statement.sql), "s" + std::to_string(prepared_.size()));
+      prepared_.emplace_back(std::string(statement->sql), "s" + std::to_string(prepared_.size()));
       found = std::prev(prepared_.end());
       sent(PQsendPrepare(connection_, found->second.c_str(), found->first.c_str(), count, types.data()));
       prepares.push_back(true);
@@ -236,6 +293,7 @@ std::vector<std::string> PostgresConnection::wait_for_signals(int wake, Time unt
 }
 
 bool PostgresConnection::read_only() const {
+  if (session_ == PostgresSession::pooled) return connection_ && read_only_;
   const char* const standby = connection_ ? PQparameterStatus(connection_, "in_hot_standby") : nullptr;
   const char* const set = connection_ ? PQparameterStatus(connection_, "default_transaction_read_only") : nullptr;
   const auto on = [](const char* value) { return value && std::string_view(value) == "on"; };

@@ -3,6 +3,8 @@
 /// server does. After a deadline, or where the server has gone, the connection is broken and what the call did is
 /// unknown.
 #include <chrono>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,16 +34,25 @@ struct PostgresStatement {
   PostgresParameters parameters = {};
 };
 
-/// Longest times of calls: those of single rows, and those of pieces of setpoints and of many rows.
+/// Longest times of calls: those of single rows, and those of pieces of setpoints and of many rows. And the longest
+/// time between answers after which this process or the server may have stood still; a process asks each second.
 struct PostgresPatience {
-  std::chrono::milliseconds brief{2'000}, lengthy{30'000};
+  std::chrono::milliseconds brief{2'000}, lengthy{30'000}, silence{5'000};
 };
+
+/// Whether a connection has a session of the server to itself. A pooler gives each transaction another one: then
+/// nothing is prepared, and each transaction sets what a session would keep.
+enum class PostgresSession { own, pooled };
 
 class PostgresConnection {
  public:
-  /// Connects. Throws StoreAway, or StoreRefused where waiting does not help (password, database); no message has the
-  /// password.
-  explicit PostgresConnection(const std::string& url, PostgresPatience patience = {});
+  /// The least version of a server that is used, in its own form: 150000 is 15.0.
+  static constexpr int least_version = 150'000;
+
+  /// Connects. Throws StoreAway, or StoreRefused where waiting does not help (password, database, version); no message
+  /// has the password.
+  explicit PostgresConnection(const std::string& url, PostgresPatience patience = {},
+                              PostgresSession session = PostgresSession::own);
   ~PostgresConnection();
   PostgresConnection(const PostgresConnection&) = delete;
   PostgresConnection& operator=(const PostgresConnection&) = delete;
@@ -53,7 +64,7 @@ class PostgresConnection {
   std::vector<PostgresRows> run_all(const std::vector<PostgresStatement>& statements);
   std::vector<PostgresRows> run_all_lengthy(const std::vector<PostgresStatement>& statements);
   void script(const std::string& sql);  ///< several statements without parameters
-  void begin() { script("BEGIN"); }
+  void begin();
   void commit() { script("COMMIT"); }
   void rollback() noexcept;  ///< ends an open transaction, if any
 
@@ -66,19 +77,27 @@ class PostgresConnection {
   bool broken() const;  ///< whether a call has failed in a way after which the connection is of no use
   bool idle();          ///< whether it can take a call: unbroken, without a transaction, not closed by the server
   std::chrono::steady_clock::time_point since() const { return since_; }  ///< when it was made
+  bool used() const { return used_; }  ///< whether use() was called: what has to be done once over each has been done
+  void use() { used_ = true; }
 
  private:
   using Time = std::chrono::steady_clock::time_point;
   std::vector<PostgresRows> send(const std::vector<PostgresStatement>& statements, Time until);
+  std::vector<PostgresRows> exchange(const std::vector<const PostgresStatement*>& statements, Time until);
+  void note(const PostgresRows& start);
   void wait(Time until);
   pg_result* next(Time until);
   [[noreturn]] void lose(const std::string& why);
   void check(pg_result* result);
 
   const PostgresPatience patience_;
+  const PostgresSession session_;
   pg_conn* connection_ = nullptr;
   Time since_;
+  bool used_ = false;
   std::vector<std::pair<std::string, std::string>> prepared_;  ///< text and name
+  bool read_only_ = false;                                     ///< of a pooled session, as its last transaction found
+  std::optional<std::int64_t> server_start_;                   ///< the same
 };
 
 }  // namespace bahnwerk::server

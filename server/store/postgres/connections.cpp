@@ -5,13 +5,18 @@ namespace bahnwerk::server {
 std::unique_ptr<PostgresConnection> PostgresConnections::make() const {
   state_.begin_attempt();
   try {
-    auto connection = std::make_unique<PostgresConnection>(url_, patience_);
+    auto connection = std::make_unique<PostgresConnection>(url_, patience_, session_);
     state_.connected(connection->read_only());
     return connection;
   } catch (const std::exception& error) {
     state_.failed(error.what());
     throw;
   }
+}
+
+StoreConnections PostgresConnections::counts() const {
+  const std::lock_guard lock(mutex_);
+  return {.busy = used_, .idle = free_.size(), .most = most_};
 }
 
 std::unique_ptr<PostgresConnection> PostgresConnections::take() {
@@ -40,10 +45,12 @@ std::unique_ptr<PostgresConnection> PostgresConnections::take() {
 void PostgresConnections::give(std::unique_ptr<PostgresConnection> connection) {
   connection->rollback();
   const bool good = connection->idle();
-  if (good)
+  if (good) {
     state_.read_only(connection->read_only());
-  else
+    state_.answered();
+  } else {
     state_.lost();
+  }
   const std::lock_guard lock(mutex_);
   --used_;
   if (good) free_.push_back(std::move(connection));

@@ -14,8 +14,9 @@ namespace bahnwerk::server {
 
 class PostgresConnections {
  public:
-  PostgresConnections(std::string url, PostgresPatience patience, std::size_t most, PostgresServerState& state)
-      : url_(std::move(url)), patience_(patience), most_(most), state_(state) {}
+  PostgresConnections(std::string url, PostgresPatience patience, std::size_t most, PostgresServerState& state,
+                      PostgresSession session = PostgresSession::own)
+      : url_(std::move(url)), patience_(patience), session_(session), most_(most), state_(state) {}
 
   /// A connection in use; given back by the destructor.
   class Borrowed {
@@ -34,6 +35,7 @@ class PostgresConnections {
 
   /// Returns a connection of its own, which does not count. Throws StoreAway, StoreRefused.
   std::unique_ptr<PostgresConnection> make() const;
+  StoreConnections counts() const;
 
  private:
   std::unique_ptr<PostgresConnection> take();
@@ -41,9 +43,10 @@ class PostgresConnections {
 
   const std::string url_;
   const PostgresPatience patience_;
+  const PostgresSession session_;
   const std::size_t most_;
   PostgresServerState& state_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable given_back_;
   std::vector<std::unique_ptr<PostgresConnection>> free_;
   std::size_t used_ = 0;

@@ -47,23 +47,28 @@ std::vector<std::string> PostgresStore::end_late(std::int64_t now) {
 
 /// Fence: rows of the job and of the attempt are locked, and the lease is looked at under the lock. A lease counts as
 /// run out only where this process and the server have been up for its whole length: after an outage every living
-/// worker renews its leases first. READ COMMITTED.
+/// worker renews its leases first. One that ran out sooner than its length after an outage was not renewed since, for
+/// which the outage may be the reason: its loss is not counted. READ COMMITTED.
 std::vector<std::string> PostgresStore::lose(std::int64_t now) {
   std::vector<std::string> ids;
   std::vector<Changed> changes;
   const auto unbroken =
       options_.times_of_callers ? std::nullopt : std::optional<std::int64_t>(state_.unbroken().count());
+  const auto outage = options_.times_of_callers ? std::nullopt : state_.since_outage();
+  const auto since_outage = outage ? std::optional<std::int64_t>(outage->count()) : std::nullopt;
   writing([&](PostgresConnection& connection) {
     ids.clear();
     changes.clear();
     connection.begin();
     const auto lost = connection.run(
         "SELECT r.id, r.token, j.cancel_requested, j.losses + CASE WHEN (SELECT count(*) FROM runs AS other WHERE "
-        "other.worker = r.worker) = 1 THEN 1 ELSE 0 END FROM runs AS r JOIN jobs AS j ON j.id = r.id "
+        "other.worker = r.worker) = 1 AND ($2 IS NULL OR r.lease_until - r.lease_ms * interval '1 ms' > greatest("
+        "pg_postmaster_start_time(), clock_timestamp() - $4 * interval '1 ms')) THEN 1 ELSE 0 END "
+        "FROM runs AS r JOIN jobs AS j ON j.id = r.id "
         "WHERE r.lease_until <= coalesce($1, clock_timestamp()) AND ($2 IS NULL OR (r.lease_ms <= $2 AND "
         "clock_timestamp() - pg_postmaster_start_time() >= r.lease_ms * interval '1 ms')) "
         "LIMIT $3 FOR UPDATE OF j, r SKIP LOCKED",
-        PostgresParameters().time(clock(now)) << unbroken << static_cast<std::int64_t>(at_once));
+        PostgresParameters().time(clock(now)) << unbroken << static_cast<std::int64_t>(at_once) << since_outage);
     Statements statements;
     for (std::size_t row = 0; row < lost.size(); ++row) {
       const std::string id = lost.uuid(row, 0);
@@ -191,7 +196,7 @@ void PostgresStore::maintain() {
           "changes.xid < pg_snapshot_xmin(feed.snapshot)");
       connection.commit();
     });
-    writing([&](PostgresConnection& connection) { keep_partitions(connection); });
+    if (options_.migrate) writing([&](PostgresConnection& connection) { keep_partitions(connection); });
   } catch (const StoreError&) {  // the next time will do
   }
 }

@@ -1,4 +1,4 @@
-/// PostgresStore: posted jobs and progress. Threads take what waits and store it together, so that waiting posts share
+/// PostgresStore: posted jobs. Threads take what waits and store it together, so that waiting posts share
 /// a commit.
 #include <algorithm>
 #include <map>
@@ -13,7 +13,7 @@ namespace bahnwerk::server {
 namespace {
 
 constexpr std::size_t brief_bytes = 1 << 20;
-constexpr std::size_t posts_at_once = 64, told_at_once = 256;
+constexpr std::size_t posts_at_once = 64;
 
 /// The key is inserted first: of two posts with one key at once, the second one waits for the first and then inserts
 /// nothing. An id that exists was inserted by the same post, whose answer was lost. Isolation: READ COMMITTED.
@@ -59,35 +59,19 @@ void PostgresStore::insert(NewJob job, std::function<void(Inserted, std::excepti
   wake_.notify_one();
 }
 
-void PostgresStore::progress(Progressed progress, std::function<void()> done) {
-  {
-    const std::lock_guard lock(mutex_);
-    told_.push_back({std::move(progress), std::move(done)});
-  }
-  wake_.notify_one();
-}
-
 void PostgresStore::write() {
-  const auto take = [](auto& from, std::size_t most) {
-    std::vector<typename std::decay_t<decltype(from)>::value_type> group;
-    while (!from.empty() && group.size() < most) {
-      group.push_back(std::move(from.front()));
-      from.pop_front();
-    }
-    return group;
-  };
   for (;;) {
     std::vector<Post> posts;
-    std::vector<Told> told;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait(lock, [this] { return stop_ || !posts_.empty() || !told_.empty(); });
-      if (posts_.empty() && told_.empty()) return;
-      posts = take(posts_, posts_at_once);
-      if (posts.empty()) told = take(told_, told_at_once);
+      wake_.wait(lock, [this] { return stop_ || !posts_.empty(); });
+      if (posts_.empty()) return;
+      while (!posts_.empty() && posts.size() < posts_at_once) {
+        posts.push_back(std::move(posts_.front()));
+        posts_.pop_front();
+      }
     }
-    if (!posts.empty()) store_posts(posts);
-    if (!told.empty()) store_told(told);
+    store_posts(posts);
   }
 }
 
@@ -217,40 +201,6 @@ void PostgresStore::store_group(PostgresConnection& connection, std::vector<Post
       again.push_back(&post);  // another post with its key came first: it is found now
   }
   if (!again.empty()) store_group(connection, std::move(again));
-}
-
-/// Progress is optional: if it cannot be stored, the next one may. It is not waited for until it is on the disk.
-void PostgresStore::store_told(std::vector<Told>& group) {
-  std::vector<std::string> ids, stages, messages;
-  std::vector<std::int64_t> tokens, revisions;
-  std::vector<double> fractions;
-  std::map<std::string, std::size_t> last;
-  for (std::size_t k = 0; k < group.size(); ++k) last[group[k].progress.attempt.id] = k;
-  for (std::size_t k = 0; k < group.size(); ++k) {
-    const Progressed& p = group[k].progress;
-    if (last[p.attempt.id] != k) continue;
-    ids.push_back(p.attempt.id);
-    tokens.push_back(p.attempt.token);
-    fractions.push_back(p.fraction);
-    stages.push_back(p.stage);
-    messages.push_back(p.message);
-    revisions.push_back(static_cast<std::int64_t>(p.revision));
-  }
-  try {
-    writing([&](PostgresConnection& connection) {
-      // Fence: the token. READ COMMITTED, one statement.
-      return connection.run_all(
-          {{"SELECT set_config('synchronous_commit', 'off', true)"},
-           {"UPDATE runs SET fraction = p.fraction, stage = p.stage, message = p.message, "
-            "revision = greatest(runs.revision, p.revision) FROM unnest($1, $2, $3, $4, $5, $6) "
-            "AS p (id, token, fraction, stage, message, revision) WHERE runs.id = p.id AND runs.token = p.token AND "
-            "runs.revision <= p.revision",
-            PostgresParameters().uuids(ids).integers(tokens).numbers(fractions).texts(stages).texts(messages).integers(
-                revisions)}});
-    });
-  } catch (const std::exception&) {
-  }
-  for (const Told& told : group) told.done();
 }
 
 }  // namespace bahnwerk::server

@@ -68,8 +68,8 @@ std::vector<Key> remove_keys(const std::string& url, const std::string& name_or_
   return read_keys(rows[0]);
 }
 
-std::vector<Key> list_keys(const std::string& url) {
-  PostgresConnection connection(url);
+std::vector<Key> list_keys(const std::string& url, bool pooled) {
+  PostgresConnection connection(url, {}, pooled ? PostgresSession::pooled : PostgresSession::own);
   if (postgres_version(connection) == 0) return {};
   return read_keys(connection.run(all_keys));
 }

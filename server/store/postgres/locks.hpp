@@ -7,7 +7,7 @@
 
 namespace bahnwerk::server {
 
-enum class PostgresLock : std::int64_t { migration = 0x6261686e77657201, maintenance, sweeping, retention };
+enum class PostgresLock : std::int64_t { migration = 0x6261686e77657201, maintenance, sweeping, retention, none };
 
 inline bool try_lock(PostgresConnection& connection, PostgresLock lock) {
   return connection.run("SELECT pg_try_advisory_xact_lock($1)", PostgresParameters() << static_cast<std::int64_t>(lock))

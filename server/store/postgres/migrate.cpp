@@ -75,6 +75,11 @@ void migrate(PostgresConnection& connection) {
   }
 }
 
+void require_up_to_date(PostgresConnection& connection) {
+  const int version = postgres_version(connection), known = static_cast<int>(postgres_migrations().size());
+  if (version < known) throw StoreRefused(not_migrated(version, known));
+}
+
 namespace postgres {
 
 int bring_up_to_date(const std::string& url) {

@@ -18,5 +18,7 @@ int postgres_version(PostgresConnection& connection);
 /// Applies what is missing, in one transaction. Throws StoreRefused where a newer version of the program wrote the
 /// store and says that this one cannot use it, StoreError where another process holds the migration for a minute.
 void migrate(PostgresConnection& connection);
+/// Throws StoreRefused where migrate() would change something.
+void require_up_to_date(PostgresConnection& connection);
 
 }  // namespace bahnwerk::server

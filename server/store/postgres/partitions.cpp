@@ -34,7 +34,25 @@ bool attempt(PostgresConnection& connection, const std::string& script) {
 
 std::string partition(const std::string& table, std::int64_t day) { return table + "_" + std::to_string(day); }
 
+std::string begin(std::int64_t day) { return first_id(day * ms_per_day); }
+
 }  // namespace
+
+void make_partitions(PostgresConnection& connection, std::int64_t day) {
+  if (!connection
+           .run("SELECT 1 WHERE to_regclass($1) IS NOT NULL", PostgresParameters()
+                                                                  << "bahnwerk." + partition("specs", day))
+           .empty())
+    return;
+  std::string script;
+  for (const char* const table : tables) {
+    const std::string name = partition(table, day);
+    script.append("CREATE TABLE ").append(name).append(" (LIKE ").append(table).append(" INCLUDING ALL); ");
+    script.append("ALTER TABLE ").append(table).append(" ATTACH PARTITION ").append(name);
+    script.append(" FOR VALUES FROM ('").append(begin(day)).append("') TO ('").append(begin(day + 1)).append("'); ");
+  }
+  attempt(connection, script);
+}
 
 void keep_partitions(PostgresConnection& connection) {
   const std::int64_t today =
@@ -44,18 +62,8 @@ void keep_partitions(PostgresConnection& connection) {
       "i.inhparent = 'bahnwerk.specs'::regclass AND c.relname ~ '^specs_[0-9]+$'");
   std::set<std::int64_t> days;
   for (std::size_t row = 0; row < rows.size(); ++row) days.insert(rows.integer(row, 0));
-  const auto begin = [](std::int64_t day) { return first_id(day * ms_per_day); };
-  for (std::int64_t day = today; day <= today + days_ahead; ++day) {
-    if (days.contains(day)) continue;
-    std::string script;
-    for (const char* const table : tables) {
-      const std::string name = partition(table, day);
-      script.append("CREATE TABLE ").append(name).append(" (LIKE ").append(table).append(" INCLUDING ALL); ");
-      script.append("ALTER TABLE ").append(table).append(" ATTACH PARTITION ").append(name);
-      script.append(" FOR VALUES FROM ('").append(begin(day)).append("') TO ('").append(begin(day + 1)).append("'); ");
-    }
-    attempt(connection, script);
-  }
+  for (std::int64_t day = today; day <= today + days_ahead; ++day)
+    if (!days.contains(day)) make_partitions(connection, day);
   for (const std::int64_t day : days) {
     if (day >= today - days_ahead) break;
     PostgresParameters bounds;

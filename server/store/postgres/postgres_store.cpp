@@ -1,8 +1,12 @@
 #include "server/store/postgres/postgres_store.hpp"
 
+#include <algorithm>
+
 #include "server/store/postgres/migrate.hpp"
+#include "server/store/postgres/moving.hpp"
 #include "server/store/postgres/partitions.hpp"
 #include "server/store/postgres/post.hpp"
+#include "server/store/postgres/requirements.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -13,9 +17,13 @@ constexpr std::size_t own_connections = 2;  ///< that of leases, and that of sig
 
 PostgresStore::PostgresStore(PostgresOptions options)
     : options_(std::move(options)),
+      state_(options_.patience.silence),
+      listen_state_(options_.patience.silence, "signals"),
       connections_(options_.url, options_.patience,
-                   std::max(options_.connections, own_connections + 2) - own_connections, state_),
-      leases_(options_.url, options_.patience, 1, state_) {
+                   std::max(options_.connections, own_connections + 2) - own_connections, state_, options_.session),
+      leases_(options_.url, options_.patience, 1, state_, options_.session),
+      listeners_(options_.listen_url.empty() ? options_.url : options_.listen_url, options_.patience, 1,
+                 options_.listen_url.empty() ? state_ : listen_state_) {
   try {
     PostgresConnections::Borrowed connection(connections_);
     prepare(*connection);
@@ -25,7 +33,7 @@ PostgresStore::PostgresStore(PostgresOptions options)
     if (!error.busy) throw;
   }
   for (std::size_t k = 0; k < options_.writers; ++k) writers_.emplace_back([this] { write(); });
-  if (options_.signals) signals_.emplace(connections_, process_);
+  if (options_.signals) signals_.emplace(listeners_, process_);
 }
 
 PostgresStore::~PostgresStore() {
@@ -47,14 +55,29 @@ PostgresStore::~PostgresStore() {
 void PostgresStore::prepare(PostgresConnection& connection) {
   const std::lock_guard lock(prepare_mutex_);
   if (prepared_) return;
-  migrate(connection);
+  require_capabilities(connection);
+  options_.migrate ? migrate(connection) : require_up_to_date(connection);
+  require_queue(connection);
+  postgres::refuse_unfinished_move(connection);
   const auto last = connection.run("SELECT id FROM jobs ORDER BY id DESC LIMIT 1");
   if (!last.empty()) {
     const std::lock_guard ids_lock(ids_mutex_);
     ids_.advance_past(last.uuid(0, 0));
   }
-  keep_partitions(connection);  // that of today comes before its first row
+  if (options_.migrate) keep_partitions(connection);  // that of today comes before its first row
   prepared_ = true;
+}
+
+/// Heartbeats are not waited for until they are on the disk: after a crash of the server the revision of a running job
+/// may be below one that clients have seen. So whoever connects first raises it, before it reads anything, where no
+/// heartbeat has come since the server's start; the attempt then counts as renewed at that start.
+void PostgresStore::raise_revisions(PostgresConnection& connection) const {
+  if (!options_.times_of_callers && !connection.read_only())
+    connection.run(
+        "UPDATE runs SET revision = revision + $1, lease_until = pg_postmaster_start_time() + lease_ms * interval "
+        "'1 ms' WHERE lease_until - lease_ms * interval '1 ms' < pg_postmaster_start_time()",
+        PostgresParameters() << lost_leap);
+  connection.use();
 }
 
 void PostgresStore::listen(std::function<void(const std::vector<Changed>&)> call) {
@@ -68,6 +91,8 @@ void PostgresStore::listen_to_others(std::function<void()> call) {
 
 void PostgresStore::publish(const std::vector<Changed>& changes) {
   if (changes.empty()) return;
+  if (std::any_of(changes.begin(), changes.end(), [](const Changed& c) { return c.state == api::JobState::queued; }))
+    ++queue_changes_;
   if (signals_) signals_->tell();
   const std::lock_guard lock(listener_mutex_);
   if (listener_) listener_(changes);

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "api/engine_level.hpp"
 #include "server/runtime/uuid7.hpp"
 #include "server/store/packed_text.hpp"
 #include "server/store/postgres/connections.hpp"
@@ -33,12 +35,18 @@ struct PostgresOptions {
   PostgresPatience patience = {};
   std::size_t connections =
       8;                    ///< most connections of the process: one for leases, one for signals, the others for all
-  std::size_t writers = 2;  ///< threads that commit posted jobs and progress
+  std::size_t writers = 2;  ///< threads that commit posted jobs
   bool signals = true;      ///< whether processes tell each other of changes (LISTEN, NOTIFY)
+  PostgresSession session = PostgresSession::own;
+  std::string listen_url = {};  ///< where signals come from, which a pooler does not pass on; empty: `url`
   /// Called, from any thread and maybe again, where a server that was away at the start refuses this process, or has a
   /// store that is too new for the program.
   std::function<void(const std::string&)> refused = [](const std::string&) {};
-  int engine = 0;  ///< level of the program's planners: jobs that need a higher one are left to others
+  /// Called, from any thread, with the jobs whose attempt a claim has found lost; expire() returns those that it finds.
+  std::function<void(const std::vector<std::string>&)> lost = [](const std::vector<std::string>&) {};
+  bool migrate = true;          ///< whether an older schema is brought up to date and partitions are made, or refused
+  std::string planned_by = {};  ///< version of the program, which results keep
+  int engine = api::engine_level;  ///< jobs that need a higher one are left to others
   /// Whether leases and deadlines are measured by the times that callers give, for tests. Otherwise the database's
   /// clock is the one of all processes.
   bool times_of_callers = false;
@@ -65,12 +73,12 @@ class PostgresStore final : public Store {
   std::vector<Running> running() override;
   StoreStatus status() override;
   StoreState state() const override { return state_.now(); }
+  StoreConnections connections() const override { return connections_.counts(); }
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
-  std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
-  void progress(Progressed progress, std::function<void()> done) override;
+  std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) override;
   bool end(const Attempt& attempt, const Ending& ending) override;
-  bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, std::uint64_t revision,
+  bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, const SeenRevision& seen,
                Progress& progress) override;
   bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) override;
   Expired expire(std::int64_t now) override;
@@ -90,7 +98,6 @@ class PostgresStore final : public Store {
   std::optional<std::string> read_view(const SeriesInfo& series, std::string_view name, std::size_t part) override;
   void put_views(const SeriesInfo& series, const std::vector<api::ViewPart>& parts, bool last) override;
   std::optional<Keys> keys(std::uint64_t known) override;
-  void checkpoint() override {}  ///< the server has nothing to be emptied
 
  private:
   using Statements = std::vector<PostgresStatement>;
@@ -98,9 +105,11 @@ class PostgresStore final : public Store {
   /// A posted job on its way into the database. Its id was given before, so that a commit whose answer is lost can be
   /// asked for again.
   struct Post;
-  struct Told {
-    Progressed progress;
-    std::function<void()> done;
+  /// A place in the queue, in whose order jobs are claimed; before all of them unless said otherwise.
+  struct QueuePlace {
+    std::int64_t rank = std::numeric_limits<std::int32_t>::min(), turn = std::numeric_limits<std::int64_t>::min();
+    std::string id = "00000000-0000-0000-0000-000000000000";
+    bool operator==(const QueuePlace&) const = default;
   };
   /// The step of a job out of the queue or out of its attempt.
   struct Step {
@@ -116,6 +125,7 @@ class PostgresStore final : public Store {
     std::optional<std::int64_t> losses = {};   ///< losses after a lost attempt
     std::optional<std::string> ended_by = {};  ///< name of the call
     std::optional<std::string> result = {};    ///< packed result document
+    std::string planned_by = {};               ///< version of the program that made it
   };
 
   /// Calls `work` with a connection. It is called again where two transactions were in each other's way, or, if `again`
@@ -140,8 +150,10 @@ class PostgresStore final : public Store {
     return options_.times_of_callers ? std::optional(now) : std::nullopt;
   }
   void prepare(PostgresConnection& connection);
+  void raise_revisions(PostgresConnection& connection) const;
   void publish(const std::vector<Changed>& changes);
   void forget(const Attempt& attempt);  ///< the attempt is over
+  std::vector<std::string> given();     ///< returns the jobs of given_
   std::optional<api::Job> adopt(PostgresConnection& connection, const std::string& worker);
   std::uint64_t number_changes(PostgresConnection& connection);
   std::uint64_t numbered(PostgresConnection& connection);
@@ -149,7 +161,6 @@ class PostgresStore final : public Store {
   void write();
   void store_posts(std::vector<Post>& group);
   void store_group(PostgresConnection& connection, std::vector<Post*> group);
-  void store_told(std::vector<Told>& group);
 
   static PostgresStatement statement_of(const Step& step);
   static PostgresStatement lock_of(const std::string& id);
@@ -169,13 +180,18 @@ class PostgresStore final : public Store {
   const PostgresOptions options_;
   const std::string process_ = random_id();  ///< names this process among those that share the store
   PostgresServerState state_;
-  PostgresConnections connections_, leases_;  ///< heartbeats do not wait for others
+  PostgresServerState listen_state_;                      ///< of the server of `listen_url`, where there is one
+  PostgresConnections connections_, leases_, listeners_;  ///< heartbeats do not wait for others
   std::mutex prepare_mutex_;
   std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;
   Uuid7 ids_;
-  std::mutex claim_mutex_;      ///< one claim at a time: suspects run alone in a process
-  bool claim_unknown_ = false;  ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
+  std::mutex claim_mutex_;         ///< one claim at a time: suspects run alone in a process
+  bool claim_unknown_ = false;     ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
+  QueuePlace claimed_up_to_;       ///< the last claim; guarded by claim_mutex_, as the two below
+  std::uint64_t known_queue_ = 0;  ///< value of queue_changes_ before it
+  std::chrono::steady_clock::time_point searched_all_{};  ///< the last claim that began at the head of the queue
+  std::atomic<std::uint64_t> queue_changes_{0};           ///< grows whenever a job is known to have been queued
   std::mutex given_mutex_;
   std::set<std::pair<std::string, std::int64_t>> given_;  ///< attempts (id, token) that claims have returned
   std::mutex listener_mutex_;
@@ -186,7 +202,6 @@ class PostgresStore final : public Store {
   std::mutex mutex_;  ///< guards what the writers take
   std::condition_variable wake_;
   std::deque<Post> posts_;
-  std::deque<Told> told_;
   bool stop_ = false;
   std::vector<std::thread> writers_;
   std::optional<PostgresSignals> signals_;
@@ -199,6 +214,7 @@ auto PostgresStore::with_connection_of(PostgresConnections& connections, bool ag
     try {
       PostgresConnections::Borrowed connection(connections);
       if (!prepared_) prepare(*connection);
+      if (!connection->used()) raise_revisions(*connection);
       return work(*connection);
     } catch (const StoreConflict&) {
       if (attempt == most) throw;

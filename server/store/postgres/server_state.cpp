@@ -54,16 +54,28 @@ void PostgresServerState::failed(const std::string& why) {
   const auto now = Clock::now();
   ++failures_;
   next_attempt_ = now + reconnection_delay(failures_, random_share());
-  unbroken_since_ = now;
+  outage(now);
   state_ = StoreState::away;
   if (logged_ != Clock::time_point{} && now < logged_ + between_lines) return;
   logged_ = now;
-  log::error("store_away", {{"detail", why}, {"attempts", failures_}});
+  log::error(name_ + "_away", {{"detail", why}, {"attempts", failures_}});
 }
 
 void PostgresServerState::lost() {
   const std::lock_guard lock(mutex_);
-  unbroken_since_ = Clock::now();
+  outage(Clock::now());
+}
+
+void PostgresServerState::outage(Clock::time_point now) {
+  outage_ = true;
+  unbroken_since_ = now;
+}
+
+void PostgresServerState::answered() {
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  if (answered_ != Clock::time_point{} && now > answered_ + silence_) outage(now);
+  answered_ = now;
 }
 
 milliseconds PostgresServerState::unbroken() const {
@@ -71,10 +83,16 @@ milliseconds PostgresServerState::unbroken() const {
   return std::chrono::duration_cast<milliseconds>(Clock::now() - unbroken_since_);
 }
 
+std::optional<milliseconds> PostgresServerState::since_outage() const {
+  const std::lock_guard lock(mutex_);
+  if (!outage_) return std::nullopt;
+  return std::chrono::duration_cast<milliseconds>(Clock::now() - unbroken_since_);
+}
+
 void PostgresServerState::enter(StoreState state) {
   if (state == state_) return;
   state_ = state;
-  log::info(state == StoreState::read_only ? "store_read_only" : "store_up");
+  log::info(name_ + (state == StoreState::read_only ? "_read_only" : "_up"));
 }
 
 }  // namespace bahnwerk::server

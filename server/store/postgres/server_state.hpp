@@ -3,6 +3,7 @@
 /// all connections of the process; its methods may be called from any thread.
 #include <chrono>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "server/store/values.hpp"
@@ -15,6 +16,10 @@ std::chrono::milliseconds reconnection_delay(int failures, double share);
 
 class PostgresServerState {
  public:
+  /// `silence`: see PostgresPatience.
+  /// What is logged begins with `name`.
+  explicit PostgresServerState(std::chrono::milliseconds silence, std::string name = "store")
+      : silence_(silence), name_(std::move(name)) {}
   StoreState now() const;
   /// Has to be called before a connection is made. While the server is away, throws StoreAway until the delay has
   /// passed, and while another thread tries.
@@ -23,17 +28,24 @@ class PostgresServerState {
   void failed(const std::string& why);  ///< none could be made; logged once a second at most
   void read_only(bool value);           ///< the server has said so over a connection
   void lost();                          ///< a connection was lost
+  void answered();  ///< a call was answered; where none was for longer than `silence`, that was an outage
 
-  /// Returns how long no connection has been lost: what other processes hear of this one may be older otherwise.
+  /// Returns how long the server has been there for this process without a gap.
   std::chrono::milliseconds unbroken() const;
+  /// Returns the time since the end of the last outage; nullopt if the process has seen none. Its start is none.
+  std::optional<std::chrono::milliseconds> since_outage() const;
 
  private:
   using Clock = std::chrono::steady_clock;
   void enter(StoreState state);
+  void outage(Clock::time_point now);
+  const std::chrono::milliseconds silence_;
+  const std::string name_;
   mutable std::mutex mutex_;
   StoreState state_ = StoreState::away;
   int failures_ = 0;
-  Clock::time_point next_attempt_{}, logged_{}, unbroken_since_ = Clock::now();
+  bool outage_ = false;  ///< whether there was one
+  Clock::time_point next_attempt_{}, logged_{}, unbroken_since_ = Clock::now(), answered_{};
 };
 
 }  // namespace bahnwerk::server

@@ -13,7 +13,8 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr milliseconds between_signals{20};
-constexpr milliseconds between_attempts{100};      ///< the server's state refuses those that are not due
+constexpr milliseconds burst{80};              ///< what may be sent sooner after a rest: claim and end of a short job
+constexpr milliseconds between_attempts{100};  ///< the server's state refuses those that are not due
 constexpr std::chrono::seconds between_looks{30};  ///< at the end of the process; nothing else is missed meanwhile
 
 void wake_up(int descriptor) {
@@ -100,7 +101,7 @@ void PostgresSignals::serve(PostgresConnection& connection) {
     }
     if (due) {
       connection.run("SELECT pg_notify('bahnwerk', $1)", PostgresParameters() << process_);
-      next = Clock::now() + between_signals;
+      next = std::max(next, Clock::now() - burst) + between_signals;
     }
     bool waiting = false;
     {

@@ -19,7 +19,7 @@ class PostgresSignals {
   PostgresSignals& operator=(const PostgresSignals&) = delete;
 
   /// Has to be called after a commit. The signal is sent outside of transactions, since it locks the whole server until
-  /// its own is over: at once, but at most 50 times a second.
+  /// its own is over: at once, but at most 50 times a second, and four times more at once after a rest.
   void tell();
   /// `call` is called after signals of others and after each connection; see ChangeSource::listen_to_others.
   void listen(std::function<void()> call);

@@ -23,15 +23,16 @@ constexpr auto insert_view =
     "ON CONFLICT (id, token, name, part) DO UPDATE SET data = excluded.data";
 
 /// Fence: state and token in the job's row. $1 id, $2 token, $3 time, $4 revision, $5 name of the call, $6 document, $7
-/// columns, $8 rows, $9 rows per chunk, $10 cycle time, $11 version of the views.
+/// columns, $8 rows, $9 rows per chunk, $10 cycle time, $11 version of the views, $12 of the program.
 constexpr auto succeed_statement =
     "WITH job AS (UPDATE jobs SET state = 'succeeded', fraction = 1, stage = 'done', message = '', finished_at = $3, "
     "ended_by = $5, revision = greatest(jobs.revision, r.revision, $4) + 1, "
     "callback_due = CASE WHEN callback_receiver IS NOT NULL THEN $3 END FROM runs AS r WHERE jobs.id = $1 AND "
     "state = 'running' AND jobs.token = $2 AND r.id = jobs.id RETURNING jobs.id, jobs.owner, jobs.token, started_at, "
     "finished_at), "
-    "result AS (INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views) "
-    "SELECT id, token, $6, $7, $8, $9, $10, $11 FROM job), "
+    "result AS (INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views, "
+    "planned_by) "
+    "SELECT id, token, $6, $7, $8, $9, $10, $11, $12 FROM job), "
     "spent AS (INSERT INTO planning_use (owner, day, ms) SELECT owner, floor(extract(epoch FROM finished_at) / "
     "86400)::bigint, greatest(0, (extract(epoch FROM finished_at - started_at) * 1000)::bigint) FROM job WHERE owner "
     "IS NOT NULL ON CONFLICT (owner) DO UPDATE SET ms = CASE WHEN planning_use.day = excluded.day THEN "
@@ -58,7 +59,7 @@ void PostgresStore::store_piece(Statements& statements, const Attempt& attempt, 
 }
 
 bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
-                            std::uint64_t revision, Progress& progress) {
+                            const SeenRevision& seen, Progress& progress) {
   const SetpointSource* source = planned.setpoints.get();
   const std::string document = pack_text(api::result_text(planned, progress));
   const auto columns = source ? std::optional(series_columns(*source)) : std::nullopt;
@@ -98,11 +99,11 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
   Statements statements;
   store_piece(statements, attempt, piece);
   PostgresParameters values;
-  (values.uuid(attempt.id) << attempt.token).time(now) << static_cast<std::int64_t>(revision);
+  (values.uuid(attempt.id) << attempt.token).time(now) << static_cast<std::int64_t>(seen());
   values.uuid(name).bytes(document) << columns << static_cast<std::int64_t>(source ? source->count() : 0)
                                     << static_cast<std::int64_t>(series_chunk_rows)
                                     << (source ? source->cycle_time() : 0.0)
-                                    << std::int64_t{source ? api::views_version : 0};
+                                    << std::int64_t{source ? api::views_version : 0} << options_.planned_by;
   statements.push_back({succeed_statement, std::move(values)});
   bool asked = false;
   const bool stored = with_connection(true, [&](PostgresConnection& connection) {

@@ -18,8 +18,9 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
         leftovers.reset();
         lose(connection, lease.now, lease.now, max_expired_at_once);
         Query next = connection.query(
-            "SELECT seq, suspect FROM jobs INDEXED BY jobs_queue WHERE state = 'queued' "
+            "SELECT seq, suspect FROM jobs INDEXED BY jobs_queue WHERE state = 'queued' AND needs <= ? "
             "ORDER BY priority DESC, turn, seq LIMIT 1");
+        next << std::int64_t{options_.engine};
         if (!next.step()) return;
         const std::int64_t seq = next.integer(0);
         // A suspect waits until nothing else runs in this process, and the others until it has ended.
@@ -62,36 +63,26 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
   return job;
 }
 
-std::vector<Attempt> SqliteStore::heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) {
-  std::vector<Attempt> over;
-  if (attempts.empty()) return over;
+std::vector<Held> SqliteStore::heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) {
+  std::vector<Held> held;
+  if (attempts.empty()) return held;
   writer_.run(
       [&](SqliteConnection& connection) {
-        over.clear();
-        for (const Attempt& attempt : attempts) {
-          const int held = (connection.query("UPDATE jobs SET lease_until = ? WHERE id = ? AND state = 'running' AND "
-                                             "token = ? AND worker = ?")
-                            << lease.until << attempt.id << attempt.token << lease.worker)
-                               .run();
-          if (held == 0) over.push_back(attempt);
+        held.clear();
+        for (const Progressed& p : attempts) {
+          Query update = connection.query(
+              "UPDATE jobs SET lease_until = ?1, fraction = iif(?2 >= revision, ?3, fraction), "
+              "stage = iif(?2 >= revision, ?4, stage), message = iif(?2 >= revision, ?5, message), "
+              "revision = max(revision, ?2) WHERE id = ?6 AND state = 'running' AND token = ?7 AND worker = ?8 "
+              "RETURNING revision, cancel_requested");
+          update << lease.until << static_cast<std::int64_t>(p.revision) << p.fraction << p.stage << p.message
+                 << p.attempt.id << p.attempt.token << lease.worker;
+          if (update.step())
+            held.push_back({p.attempt, static_cast<std::uint64_t>(update.integer(0)), update.integer(1) != 0});
         }
       },
       Writer::row);
-  return over;
-}
-
-void SqliteStore::progress(Progressed progress, std::function<void()> done) {
-  const auto p = std::make_shared<Progressed>(std::move(progress));
-  writer_.post(
-      [p](SqliteConnection& connection) {
-        (connection.query("UPDATE jobs SET fraction = ?, stage = ?, message = ?, revision = max(revision, ?) "
-                          "WHERE id = ? AND state = 'running' AND token = ?")
-         << p->fraction << p->stage << p->message << static_cast<std::int64_t>(p->revision) << p->attempt.id
-         << p->attempt.token)
-            .run();
-      },
-      // Progress is optional: if it cannot be stored, the next one may.
-      [done = std::move(done)](const std::exception_ptr&) { done(); }, Writer::row);
+  return held;
 }
 
 bool SqliteStore::end(const Attempt& attempt, const Ending& ending) {
@@ -106,9 +97,10 @@ bool SqliteStore::end(const Attempt& attempt, const Ending& ending) {
                                 .seen = ending.revision}))
           return false;
         if (!document.empty()) {
-          Query result = connection.query("INSERT INTO results (seq, document) SELECT seq, ? FROM jobs WHERE id = ?");
+          Query result = connection.query(
+              "INSERT INTO results (seq, document, planned_by) SELECT seq, ?, ? FROM jobs WHERE id = ?");
           result.blob(document);
-          (result << attempt.id).run();
+          (result << options_.planned_by << attempt.id).run();
         }
         return true;
       },

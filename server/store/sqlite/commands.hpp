@@ -9,6 +9,7 @@
 namespace bahnwerk::server::sqlite {
 
 BackUp back_up(const std::string& url, const std::string& file);
+int bring_up_to_date(const std::string& url);
 std::vector<std::string> inspect(const std::string& url);
 void add_key(const std::string& url, const Key& key);
 std::vector<Key> remove_keys(const std::string& url, const std::string& name_or_id);

@@ -37,7 +37,7 @@ std::vector<Key> read_keys(SqliteConnection& connection) {
 
 /// Brings a store that no process uses to this program's schema; one that is in use has to have it.
 void bring_up_to_date(SqliteConnection& connection, const std::string& path) {
-  if (connection.query("PRAGMA user_version").one_int() == static_cast<int>(migrations().size())) return;
+  if (sqlite_version(connection) >= static_cast<int>(migrations().size())) return;
   try {
     const FileLock lock(path + ".lock");
     migrate(connection);

@@ -94,10 +94,16 @@ std::vector<std::string> inspect(const std::string& url) {
     while (pages.step())
       if (pages.text(0) != "ok") faults.push_back(pages.text(0));
   }
-  const int version = connection.query("PRAGMA user_version").one_int();
-  const int known = static_cast<int>(migrations().size());
   if (!faults.empty()) return faults;
-  if (version != known) {
+  const int known = static_cast<int>(migrations().size());
+  int version = connection.query("PRAGMA user_version").one_int();
+  bool usable = version >= known;
+  try {
+    version = sqlite_version(connection);
+  } catch (const StoreError&) {
+    usable = false;
+  }
+  if (!usable) {
     faults.push_back("the schema has version " + std::to_string(version) + ", this program has " +
                      std::to_string(known) + ": what jobs need is not checked");
     return faults;

@@ -62,6 +62,11 @@ StoreStatus SqliteStore::status() {
   Query callbacks = reader.query("SELECT count(*) FROM jobs INDEXED BY jobs_callback WHERE callback_due IS NOT NULL");
   callbacks.step();
   status.callbacks = static_cast<std::size_t>(callbacks.integer(0));
+  Query left = reader.query(
+      "SELECT count(*) FROM jobs INDEXED BY jobs_needs WHERE state = 'queued' AND needs > 0 AND needs > ?");
+  left << std::int64_t{options_.engine};
+  left.step();
+  status.beyond_engine = static_cast<std::size_t>(left.integer(0));
   return status;
 }
 

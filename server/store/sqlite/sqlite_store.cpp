@@ -7,6 +7,7 @@
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/leftovers.hpp"
 #include "server/store/sqlite/migrate.hpp"
+#include "server/store/sqlite/moving.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/rows.hpp"
 
@@ -56,11 +57,12 @@ SqliteStore::SqliteStore(SqliteOptions options)
                      options_.observer(seconds, works);
                      changes_.committed();
                    }}) {
-  writer_.outside(migrate);  // each migration is a transaction of its own
+  writer_.outside(options_.migrate ? migrate : require_up_to_date);  // each migration is a transaction of its own
+  writer_.run(sqlite::refuse_unfinished_move);
   recover(now_ms());
 }
 
-SqliteStore::~SqliteStore() = default;
+SqliteStore::~SqliteStore() = default;  // SQLite empties the log when the last connection closes
 
 void SqliteStore::recover(std::int64_t now) {
   writer_.run([&](SqliteConnection& connection) {
@@ -114,13 +116,14 @@ Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job
   const api::JobRequest& r = job.request;
   Query insert = connection.query(
       "INSERT INTO jobs (id, kind, name, reference, callback, priority, deadline, time_budget, state, created_at, "
-      "changed, owner, turn, callback_secret, callback_receiver, tags) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'queued', ?, ?, ?, ?, ?, ?, ?) RETURNING seq");
+      "changed, owner, turn, callback_secret, callback_receiver, tags, needs) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'queued', ?, ?, ?, ?, ?, ?, ?, ?) RETURNING seq");
   const std::int64_t change = changes_.next();
   insert << id << r.kind << r.name << r.reference << (r.callback ? std::optional(r.callback->url) : std::nullopt)
          << std::int64_t{r.priority} << r.deadline << r.time_budget << job.now << change << job.owner
          << next_turn(connection, job) << (r.callback ? r.callback->secret : std::nullopt) << job.callback_receiver
-         << (r.tags.empty() ? std::nullopt : std::optional(nlohmann::json(r.tags).dump()));
+         << (r.tags.empty() ? std::nullopt : std::optional(nlohmann::json(r.tags).dump()))
+         << std::int64_t{options_.engine};
   insert.step();
   const std::int64_t seq = insert.integer(0);
   insert.step();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "api/engine_level.hpp"
 #include "server/runtime/uuid7.hpp"
 #include "server/store/packed_text.hpp"
 #include "server/store/rules.hpp"
@@ -27,6 +28,9 @@ struct SqliteOptions {
   int max_pages = 0;        ///< > 0 caps the file's size in pages of 4 KiB: a full disk on demand
   std::size_t reserve = 0;  ///< bytes of disk set aside, so that a full disk can be emptied
   Retention retention = {};
+  bool migrate = true;             ///< whether an older schema is brought up to date, or refused
+  std::string planned_by = {};     ///< version of the program, which results keep
+  int engine = api::engine_level;  ///< jobs that need a higher one are left in the queue
   Writer::Observer observer = [](double, std::size_t) {};
 };
 
@@ -52,10 +56,9 @@ class SqliteStore final : public Store {
   StoreStatus status() override;
   void ping() override;
   std::optional<api::Job> claim(const Lease& lease) override;
-  std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
-  void progress(Progressed progress, std::function<void()> done) override;
+  std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) override;
   bool end(const Attempt& attempt, const Ending& ending) override;
-  bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, std::uint64_t revision,
+  bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, const SeenRevision& seen,
                Progress& progress) override;
   bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) override;
   Expired expire(std::int64_t now) override;
@@ -75,7 +78,7 @@ class SqliteStore final : public Store {
   std::optional<std::string> read_view(const SeriesInfo& series, std::string_view name, std::size_t part) override;
   void put_views(const SeriesInfo& series, const std::vector<api::ViewPart>& parts, bool last) override;
   std::optional<Keys> keys(std::uint64_t known) override;
-  void checkpoint() override;
+  void checkpoint();  ///< empties the file's log, as the end does, too
 
  private:
   class Reader;  ///< a borrowed reading connection

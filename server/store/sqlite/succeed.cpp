@@ -31,7 +31,7 @@ void insert_piece(SqliteConnection& connection, std::int64_t seq, const SeriesPi
 }  // namespace
 
 bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
-                          std::uint64_t revision, Progress& progress) {
+                          const SeenRevision& seen, Progress& progress) {
   const std::string& id = attempt.id;
   const SetpointSource* source = planned.setpoints.get();
   const std::string document = pack_text(api::result_text(planned, progress));
@@ -68,6 +68,7 @@ bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned
       if (!stored) return false;
     }
   }
+  const std::uint64_t revision = seen();
   return write_flag(
       [&](SqliteConnection& connection) {
         const auto seq = still_running(connection);
@@ -78,12 +79,12 @@ bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned
          << now << static_cast<std::int64_t>(revision) << change << *seq)
             .run();
         Query result = connection.query(
-            "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?)");
+            "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views, planned_by) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
         (result << *seq).blob(document);
         result << columns << static_cast<std::int64_t>(source ? source->count() : 0)
                << static_cast<std::int64_t>(series_chunk_rows) << (source ? source->cycle_time() : 0.0)
-               << std::int64_t{source ? api::views_version : 0};
+               << std::int64_t{source ? api::views_version : 0} << options_.planned_by;
         result.run();
         insert_piece(connection, *seq, piece);
         changes_.note(change, id, api::JobState::succeeded);

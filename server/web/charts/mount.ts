@@ -25,12 +25,13 @@ import { fillTable } from "./value_table";
 
 const t = texts(en, de);
 const right = 6; // px beside the pictures
+const otherNames: Record<string, () => string> = { deviation: () => t("name_deviation"), brake: () => t("name_brake"), tension: () => t("name_tension") };
 const addressAfter = 250; // ms
 const statesName = ["ahead", "stop", "dwell"];
 
 /** Returns the name of a column as the page shows it. */
 export function columnName(column: ChartColumn, kind: string): string {
-  if (column.quantity === "other") return column.name === "deviation" ? t("name_deviation") : column.name === "brake" ? t("name_brake") : column.name;
+  if (column.quantity === "other") return otherNames[column.name]?.() ?? column.name;
   if (column.quantity === "use") return t("path_use");
   if (column.axis === "" && kind !== "motion_law") return column.quantity === "position" ? t("path_position") : column.quantity === "velocity" ? t("path_velocity") : t(column.quantity);
   return column.axis === "" ? t(column.quantity) : `${t(column.quantity)} ${column.axis}`;

@@ -6,16 +6,17 @@ import en from "../texts/en/form.json";
 import { fill, h } from "../base/dom";
 import { number } from "../base/numbers";
 import { language, texts, type Table } from "../base/texts";
+import { describe } from "./descriptions";
 import { addMember, choose, faultOf, formOf, valueOf, type FormNode, type ListNode, type ObjectNode, type VariantNode } from "./model";
-import { nullable, resolved, unitOf, type Json, type Schema } from "./schema";
+import { nullable, resolved, unitOf, type Schema } from "./schema";
 
 const t = texts(en, de);
 const names: Table = language === "de" ? de_fields : en_fields;
 /** Longer texts are not put into a field: typing would become slow. */
 const mostCharacters = 300_000;
 
-/** Returns the name of a field for people: "cycle_time" → "cycle time". */
-export const labelOf = (name: string): string => names[name] ?? name.replace(/_/g, " ");
+/** Returns the name of a field or a value for people: "cycle_time" → "cycle time". "mode.position" names what is something else in the member `within`. */
+export const labelOf = (name: string, within = ""): string => names[`${within}.${name}`] ?? names[name] ?? name.replace(/_/g, " ");
 const token = (name: string): string => name.replace(/~/g, "~0").replace(/\//g, "~1");
 
 export interface Hooks {
@@ -32,8 +33,16 @@ interface Place {
 }
 
 /** Returns what a member is for, behind a sign that opens it. */
-const help = (schema: Schema): HTMLElement | null =>
-  schema.description ? h("details", { class: "help" }, h("summary", { "aria-label": t("what_is_it"), title: schema.description }, "?"), h("p", { lang: "en" }, schema.description)) : null;
+function help(schema: Schema): HTMLElement | null {
+  const text = describe(schema);
+  return text ? h("details", { class: "help" }, h("summary", { "aria-label": t("what_is_it"), title: text }, "?"), h("p", {}, text)) : null;
+}
+
+/** Returns what a select says for no choice: the default, where there is one. */
+function unchosen({ default: value }: Schema, within: string): string {
+  if (value === undefined || value === null) return t("none");
+  return t("by_default", { value: typeof value === "boolean" ? t(value ? "yes" : "no") : labelOf(String(value), within) });
+}
 
 function defaultText(schema: Schema): string {
   const value = schema.default;
@@ -98,8 +107,7 @@ function field(node: FormNode, place: Place, hooks: Hooks): HTMLElement {
         node.value = select.value === "" ? null : select.value === "true";
         hooks.changed();
       } });
-      const byDefault = node.schema.default === undefined ? t("none") : t("by_default", { value: t(node.schema.default ? "yes" : "no") });
-      if (!place.needed || node.value === null) select.append(h("option", { value: "" }, byDefault));
+      if (!place.needed || node.value === null) select.append(h("option", { value: "" }, unchosen(node.schema, place.name)));
       select.append(h("option", { value: "true" }, t("yes")), h("option", { value: "false" }, t("no")));
       select.value = node.value === null ? "" : String(node.value);
       return plain(node, place, select);
@@ -112,7 +120,7 @@ function field(node: FormNode, place: Place, hooks: Hooks): HTMLElement {
             hooks.changed();
           } });
           box.checked = node.chosen.includes(at);
-          return h("label", { class: "box" }, box, " ", labelOf(String(value)));
+          return h("label", { class: "box" }, box, " ", labelOf(String(value), place.name));
         });
         return h("div", { class: "field wide", "data-pointer": place.pointer, role: "group", "aria-label": place.label },
           h("span", { class: "label" }, place.label), help(node.schema), h("div", { class: "boxes" }, ...boxes), h("p", { class: "fault" }));
@@ -121,9 +129,8 @@ function field(node: FormNode, place: Place, hooks: Hooks): HTMLElement {
         node.chosen = select.value === "" ? [] : [Number(select.value)];
         hooks.changed();
       } });
-      const byDefault = node.schema.default === undefined || node.schema.default === null ? t("none") : t("by_default", { value: labelOf(String(node.schema.default)) });
-      if (!place.needed || node.chosen.length === 0) select.append(h("option", { value: "" }, byDefault));
-      node.values.forEach((value, at) => select.append(h("option", { value: at }, labelOf(String(value)))));
+      if (!place.needed || node.chosen.length === 0) select.append(h("option", { value: "" }, unchosen(node.schema, place.name)));
+      node.values.forEach((value, at) => select.append(h("option", { value: at }, labelOf(String(value), place.name))));
       select.value = node.chosen.length === 0 ? "" : String(node.chosen[0]);
       return plain(node, place, select);
     }
@@ -166,11 +173,12 @@ const empty = (node: FormNode): boolean => valueOf(node) === undefined;
 /** Draws the members of an object: what is needed or given, then the others, folded. */
 function members(body: HTMLElement, node: ObjectNode, pointer: string, hooks: Hooks, open = false): void {
   const shown: HTMLElement[] = [], folded: HTMLElement[] = [], needed = node.schema.required ?? [];
+  const within = /([^/]*)(?:\/\d+)*$/.exec(pointer)![1];
   for (const [name, member] of node.members) {
-    const place: Place = { name, label: labelOf(name), pointer: `${pointer}/${token(name)}`, needed: needed.includes(name) };
+    const place: Place = { name, label: labelOf(name, within), pointer: `${pointer}/${token(name)}`, needed: needed.includes(name) };
     if (member === null) {
       const schema = resolved(node.schema.properties![name] as Schema, node.root);
-      folded.push(h("div", { class: "field" }, h("button", { type: "button", class: "add", title: schema.description, click: () => {
+      folded.push(h("div", { class: "field" }, h("button", { type: "button", class: "add", title: describe(schema) || null, click: () => {
         addMember(node, name);
         fill(body);
         members(body, node, pointer, hooks, true);
@@ -259,7 +267,7 @@ function variant(node: VariantNode, place: Place, hooks: Hooks): HTMLElement {
     if (inner.form === "object") members(body, inner, place.pointer, hooks);
     else body.append(field(inner, { ...place, label: place.label }, hooks));
   };
-  if (node.at < 0 || !place.needed) select.append(h("option", { value: -1 }, node.schema.default === undefined || node.schema.default === null ? t("none") : t("by_default", { value: labelOf(String(node.schema.default as Json)) })));
+  if (node.at < 0 || !place.needed) select.append(h("option", { value: -1 }, unchosen(node.schema, place.name)));
   node.branches.forEach((branch, at) => select.append(h("option", { value: at }, branchName(branch))));
   select.value = String(node.at);
   draw();

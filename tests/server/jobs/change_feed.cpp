@@ -97,6 +97,23 @@ TEST_F(ChangeFeedTest, WakesAllWhenASourceIsBackThatWasAwayAtTheStart) {
   EXPECT_EQ(woken.wait_for(30s), std::future_status::ready);
 }
 
+TEST_F(ChangeFeedTest, TellsWhenItKnowsAllChanges) {
+  insert_id(*store);
+  SecondView view(folder.path / "store.db");
+  view.away = true;
+  std::promise<void> known;
+  std::atomic<int> told{0};
+  hooks.caught_up = [&] {
+    EXPECT_FALSE(view.away);
+    if (++told == 2) known.set_value();
+  };
+  const ChangeFeed feed(view, hooks, 10ms);
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(told, 0) << "while it is away nothing is known";
+  view.away = false;
+  EXPECT_EQ(known.get_future().wait_for(30s), std::future_status::ready) << "again and again";
+}
+
 TEST_F(ChangeFeedTest, WakesAllWhenRemovalsAreForgotten) {
   const auto ids = insert_many(*store, 1100);
   SecondView view(folder.path / "store.db");

@@ -29,6 +29,25 @@ TEST(LiveJobs, CurrentProgressReplacesWhatTheStoreKnows) {
   EXPECT_EQ(job.revision, 20u) << "a revision never falls";
 }
 
+TEST(LiveJobs, RevisionsPassTheOnesThatTheStoreHasRaised) {
+  LiveJobs jobs;
+  const auto live = jobs.add(running("a", 2, 7));
+  live->publish(0.5, "motion", "half");
+  const Progressed told = live->progressed();
+  EXPECT_EQ(told.attempt, (Attempt{"a", 2}));
+  EXPECT_EQ(told.fraction, 0.5);
+  EXPECT_EQ(told.stage, "motion");
+  EXPECT_EQ(told.message, "half");
+  EXPECT_EQ(told.revision, 8u);
+  live->publish(0.6, "motion", "");
+  live->raise_above(8, told.revision);
+  EXPECT_EQ(live->revision(), 9u) << "it was stored as told";
+  live->raise_above(1000, told.revision);
+  EXPECT_EQ(live->revision(), 1001u) << "1000 is that of older progress";
+  live->publish(0.7, "motion", "");
+  EXPECT_EQ(live->revision(), 1002u);
+}
+
 TEST(LiveJobs, OtherAttemptsStatesAndJobsStayAsTheyAre) {
   LiveJobs jobs;
   jobs.add(running("a", 2, 7))->publish(0.5, "motion", "");

@@ -28,37 +28,22 @@ struct ProgressTest : testing::Test {
   JobProgress::Clock::time_point now{1000s};
   std::int64_t wall = 5000;
   int published = 0;
-  std::vector<Progressed> kept;
-  std::function<void()> done;
-  bool keep_at_once = true;
   std::optional<std::chrono::milliseconds> most;
 
   JobProgress make() {
-    return JobProgress(job, live, most,
-                       {.publish = [this] { ++published; },
-                        .keep =
-                            [this](Progressed progress, std::function<void()> ready) {
-                              kept.push_back(std::move(progress));
-                              done = std::move(ready);
-                              if (keep_at_once) done();
-                            },
-                        .now_ms = [this] { return wall; },
-                        .now = [this] { return now; }});
+    return JobProgress(
+        job, live, most,
+        {.publish = [this] { ++published; }, .now_ms = [this] { return wall; }, .now = [this] { return now; }});
   }
 };
 
-TEST_F(ProgressTest, PublishesSeldomAndKeepsMoreSeldom) {
+TEST_F(ProgressTest, PublishesSeldom) {
   JobProgress progress = make();
   for (int i = 0; i < 10'000; ++i) {  // 10 s of a planner that reports every millisecond
     now += 1ms;
     progress.report("grid", i / 10'000.0);
   }
   EXPECT_NEAR(published, 100, 2);
-  EXPECT_NEAR(static_cast<double>(kept.size()), 20, 2);
-  for (std::size_t i = 1; i < kept.size(); ++i) {
-    EXPECT_GT(kept[i].fraction, kept[i - 1].fraction);
-    EXPECT_GT(kept[i].revision, kept[i - 1].revision);
-  }
   api::Job seen = job;
   live->overlay(seen);
   EXPECT_EQ(seen.stage, "grid");
@@ -90,20 +75,6 @@ TEST_F(ProgressTest, NeverRunsBackwards) {
     live->overlay(seen);
     EXPECT_EQ(seen.fraction, fraction > 1 || seen.fraction == 1 ? 1 : 0.5);
   }
-}
-
-TEST_F(ProgressTest, KeepsNothingWhileTheStoreIsBusy) {
-  keep_at_once = false;
-  JobProgress progress = make();
-  for (int i = 0; i < 20; ++i) {
-    now += 1s;
-    progress.report("x", 0.01 * i);
-  }
-  EXPECT_EQ(kept.size(), 1U);
-  done();
-  now += 1s;
-  progress.report("x", 0.9);
-  EXPECT_EQ(kept.size(), 2U);
 }
 
 TEST_F(ProgressTest, StopsAtOnceOnCancel) {

@@ -114,6 +114,7 @@ TEST_F(WorkersTest, PlansAndStores) {
     EXPECT_EQ(job.fraction, 1);
     EXPECT_EQ(store->series(id)->count, 5000U);
   }
+  EXPECT_NE(metrics.text().find("\nbahnwerk_claim_seconds_count 50\n"), std::string::npos) << "each job, once";
   // A worker leaves the list after its job has ended in the store.
   EXPECT_TRUE(soon([&] { return live.size() == 0; }));
 }

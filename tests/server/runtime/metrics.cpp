@@ -22,8 +22,22 @@ TEST(Metrics, CountWhatTheyAreTold) {
   metrics.lost(2);
   metrics.started(1'500);
   metrics.caught_up(2'500);
-  metrics.observe(
-      {.max_memory_bytes = 1024, .workers = 3, .busy_workers = 2, .oldest_queued_seconds = 7, .store_log_bytes = 4096});
+  metrics.changes_known(3'500);
+  metrics.claimed(0.002);
+  metrics.store_state("away");
+  metrics.store_state("read_only");
+  metrics.observe({.max_memory_bytes = 1024,
+                   .workers = 3,
+                   .busy_workers = 2,
+                   .busy_connections = 4,
+                   .idle_connections = 1,
+                   .max_connections = 6,
+                   .oldest_queued_seconds = 7,
+                   .beyond_engine = 8,
+                   .store_log_bytes = 4096,
+                   .dead_rows = 9,
+                   .snapshot_seconds = 10,
+                   .snapshot_transactions = 11});
   const std::string text = metrics.text();
   EXPECT_THAT(text,
               HasSubstr("bahnwerk_http_requests_total{method=\"GET\",route=\"/v1/jobs/{id}\",status=\"200\"} 3\n"));
@@ -41,12 +55,31 @@ TEST(Metrics, CountWhatTheyAreTold) {
   EXPECT_THAT(text, HasSubstr("bahnwerk_workers_busy 2\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_queue_oldest_seconds 7\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_store_log_bytes 4096\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_queue_beyond_engine 8\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_claim_seconds_count 1\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_feed_caught_up_timestamp_seconds 3.5\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_state{state=\"up\"} 0\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_state{state=\"read_only\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_state{state=\"away\"} 0\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_connections{use=\"busy\"} 4\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_connections{use=\"idle\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_connections_max 6\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_dead_rows 9\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_snapshot_seconds 10\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_snapshot_transactions 11\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_planning_seconds_sum{kind=\"contour\",state=\"succeeded\"} 2\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_store_commit_seconds_count 1\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_store_writes_total 7\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_setpoint_rows_read_total 4096\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_jobs{state=\"queued\"} 5\n"));
   EXPECT_THAT(text, HasSubstr("bahnwerk_queue_length 5\n"));
+}
+
+TEST(Metrics, WhatTheStoreDoesNotTellIsNoNumber) {
+  Metrics metrics;
+  EXPECT_THAT(metrics.text(), HasSubstr("bahnwerk_feed_caught_up_timestamp_seconds Nan\n")) << "nobody else changes it";
+  metrics.observe({.workers = 1});
+  EXPECT_THAT(metrics.text(), HasSubstr("bahnwerk_store_bytes Nan\n"));
 }
 
 }  // namespace

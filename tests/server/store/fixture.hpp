@@ -74,6 +74,7 @@ inline Inserted insert(Store& store, NewJob job) {
   });
   return promise.get_future().get();
 }
+inline std::uint64_t nothing_seen() { return 0; }  ///< for an attempt that has told no progress
 inline std::string insert_id(Store& store, NewJob job = new_job()) { return insert(store, std::move(job)).id; }
 
 /// Many at once, which share commits; their ids in order.
@@ -95,6 +96,15 @@ inline std::vector<std::string> insert_many(Store& store, std::size_t count) {
 inline std::optional<api::Job> claim(Store& store, std::int64_t now, const std::string& worker = "worker",
                                      std::int64_t lease = -1) {
   return store.claim({worker, now, lease < 0 ? Lease::forever : now + lease});
+}
+
+/// A heartbeat of attempts without progress; returns those that the worker does not have any more.
+inline std::vector<Attempt> over(Store& store, const Lease& lease, const std::vector<Attempt>& attempts) {
+  std::vector<Progressed> told;
+  for (const Attempt& attempt : attempts) told.push_back({.attempt = attempt});
+  std::vector<Attempt> left = attempts;
+  for (const Held& held : store.heartbeat(lease, told)) std::erase(left, held.attempt);
+  return left;
 }
 
 struct StoreTest : testing::Test {

@@ -31,7 +31,7 @@ struct IoFaults : testing::Test {
   test::FailingVfs vfs;
   SilentProgress silent;
 
-  std::unique_ptr<Store> open(const TempFolder& folder) {
+  std::unique_ptr<SqliteStore> open(const TempFolder& folder) {
     SqliteOptions options;
     options.path = (folder.path / "store.db").string();
     return std::make_unique<SqliteStore>(std::move(options));
@@ -44,14 +44,15 @@ struct IoFaults : testing::Test {
   /// Posts, claims, finishes, deletes, cancels and empties the log; each step goes on where the one before failed.
   Told script(const TempFolder& folder) {
     Told told;
-    std::unique_ptr<Store> store;
+    std::unique_ptr<SqliteStore> store;
     if (!told.acknowledged([&] { store = open(folder); })) store = open(folder);
     for (int i = 0; i < 3; ++i) post(*store, told);
     for (int i = 0; i < 2; ++i) {
       std::optional<api::Job> job;
       if (!told.acknowledged([&] { job = claim(*store, 1); })) continue;  // a worker claims again
       const auto finish = [&] {
-        if (store->succeed({job->id, job->token}, ramp_plan(9000), 2, 0, silent)) told.finished.push_back(job->id);
+        if (store->succeed({job->id, job->token}, ramp_plan(9000), 2, nothing_seen, silent))
+          told.finished.push_back(job->id);
       };
       if (job && !told.acknowledged(finish)) told.acknowledged(finish);
     }
@@ -71,7 +72,7 @@ struct IoFaults : testing::Test {
 
   void verify(const TempFolder& folder, const Told& told, int call) {
     EXPECT_EQ(inspect("sqlite:" + (folder.path / "store.db").string()), std::vector<std::string>{}) << "call " << call;
-    const auto store = open(folder);
+    const std::unique_ptr<Store> store = open(folder);
     const auto contains = [](const std::vector<std::string>& ids, const std::string& id) {
       return std::find(ids.begin(), ids.end(), id) != ids.end();
     };

@@ -120,7 +120,9 @@ class PostgresServer {
 
  public:
   /// No test's verdict depends on the machine's load.
-  static PostgresPatience patient() { return {std::chrono::minutes(5), std::chrono::minutes(5)}; }
+  static PostgresPatience patient() {
+    return {std::chrono::minutes(5), std::chrono::minutes(5), std::chrono::minutes(5)};
+  }
 };
 
 }  // namespace bahnwerk::server

@@ -22,7 +22,7 @@ struct RetentionTest : testing::Test {
     std::string noise;  // else a row takes next to nothing
     while (noise.size() < rows / 2) noise += std::to_string(random());
     planned.result["noise"] = noise;
-    EXPECT_TRUE(store->succeed({id, 1}, planned, now, 0, silent));
+    EXPECT_TRUE(store->succeed({id, 1}, planned, now, nothing_seen, silent));
     return id;
   }
   std::vector<std::string> ids() {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 namespace bahnwerk::server {
 namespace {
 
@@ -16,7 +18,7 @@ TEST(PostgresServerState, DelaysGrowToTenSecondsAndAreDrawnEvenly) {
 }
 
 TEST(PostgresServerState, OneAttemptAtATimeWhileItIsAway) {
-  PostgresServerState state;
+  PostgresServerState state(5min);
   EXPECT_EQ(state.now(), StoreState::away);
   EXPECT_NO_THROW(state.begin_attempt());
   EXPECT_THROW(state.begin_attempt(), StoreAway);
@@ -30,13 +32,30 @@ TEST(PostgresServerState, OneAttemptAtATimeWhileItIsAway) {
 }
 
 TEST(PostgresServerState, AStandbyIsReadOnlyUntilItIsPromoted) {
-  PostgresServerState state;
+  PostgresServerState state(5min);
   state.read_only(true);
   EXPECT_EQ(state.now(), StoreState::away) << "what an old connection says is no connection";
   state.connected(true);
   EXPECT_EQ(state.now(), StoreState::read_only);
   state.read_only(false);
   EXPECT_EQ(state.now(), StoreState::up);
+}
+
+TEST(PostgresServerState, SilenceIsAnOutageAndTheStartOfTheProcessIsNone) {
+  PostgresServerState patient(5min), state(0ms);
+  for (PostgresServerState* each : {&patient, &state}) {
+    each->connected(false);
+    each->answered();
+    EXPECT_FALSE(each->since_outage());
+    std::this_thread::sleep_for(20ms);
+    EXPECT_GE(each->unbroken(), 20ms);
+    each->answered();
+  }
+  EXPECT_FALSE(patient.since_outage());
+  ASSERT_TRUE(state.since_outage()) << "nothing was heard for longer than it may be";
+  EXPECT_LE(*state.since_outage(), state.unbroken());
+  patient.lost();
+  EXPECT_TRUE(patient.since_outage());
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ TEST_F(StoreTest, CheckpointsBetweenTransactionsNotInsideOne) {
     EXPECT_FALSE(error);
     small.set_value();
   });
-  std::thread checkpoint([&] { store->checkpoint(); });
+  std::thread checkpoint([&] { dynamic_cast<SqliteStore&>(*store).checkpoint(); });
   std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it waits for the writer now
   NewJob job = new_job();
   job.request.document = noise(2'000'000);

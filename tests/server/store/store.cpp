@@ -114,7 +114,7 @@ TEST_F(StoreTest, BehavesAsTheModel) {
           const std::int64_t token = static_cast<std::int64_t>(random() % 3);
           const std::size_t rows = random() % 2 ? random() % 6000 : 0;
           const bool right = model.count(id) && model[id].state == JobState::running && model[id].token == token;
-          ASSERT_EQ(store->succeed({id, token}, ramp_plan(rows), 2, 0, silent), right);
+          ASSERT_EQ(store->succeed({id, token}, ramp_plan(rows), 2, nothing_seen, silent), right);
           if (right) model[id].state = JobState::succeeded, model[id].rows = rows;
           break;
         }

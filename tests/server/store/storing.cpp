@@ -73,7 +73,7 @@ TEST_F(StoreTest, KeepsWhatTheRowsAreTakenOver) {
     api::PlannedJob planned = ramp_plan(0);
     planned.setpoints = std::make_unique<Table>(framed ? std::optional(PoseFrame{1, 2, 3, 45}) : std::nullopt);
     SilentProgress progress;
-    ASSERT_TRUE(store->succeed({id, 1}, planned, 2, 0, progress));
+    ASSERT_TRUE(store->succeed({id, 1}, planned, 2, nothing_seen, progress));
     const auto series = store->series(id);
     ASSERT_TRUE(series);
     EXPECT_EQ(series->independent.name, "phi");
@@ -89,7 +89,7 @@ TEST_F(StoreTest, KeepsWhatTheRowsAreTakenOver) {
   const std::string id = insert_id(*store);
   claim(*store, 1);
   SilentProgress progress;
-  ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(3), 2, 0, progress));
+  ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(3), 2, nothing_seen, progress));
   EXPECT_TRUE(store->series(id)->independent.time());
   EXPECT_EQ(store->series(id)->independent.step, 0.001);
 }
@@ -99,7 +99,7 @@ TEST_F(StoreTest, StoresLongSeriesPieceByPiece) {
   claim(*store, 1);
   const auto planned = long_plan();
   StoppingAt never(0);
-  EXPECT_TRUE(store->succeed({id, 1}, planned, 2, 0, never));
+  EXPECT_TRUE(store->succeed({id, 1}, planned, 2, nothing_seen, never));
   EXPECT_LE(never.left, -1'000'000 / 4096) << "asked before every chunk";
   const auto series = store->series(id);
   ASSERT_TRUE(series);
@@ -117,7 +117,7 @@ TEST_F(StoreTest, ForgetsWhatAnAttemptStoredThatDidNotSucceed) {
     const std::string id = insert_id(*store);
     claim(*store, 1);
     StoppingAt half(150);
-    EXPECT_THROW(store->succeed({id, 1}, planned, 2, 0, half), Stopped);
+    EXPECT_THROW(store->succeed({id, 1}, planned, 2, nothing_seen, half), Stopped);
     EXPECT_GT(chunks(folder.path / "store.db"), 0U) << "else this tests nothing";
     EXPECT_FALSE(store->series(id));
     if (end == 0) {
@@ -147,7 +147,7 @@ TEST_F(StoreTest, FreesALongSeriesInPiecesWhenItsJobIsRemoved) {
   open(options);
   const std::string id = insert_id(*store);
   claim(*store, 1);
-  EXPECT_TRUE(store->succeed({id, 1}, long_plan(), 2, 0, silent));
+  EXPECT_TRUE(store->succeed({id, 1}, long_plan(), 2, nothing_seen, silent));
   const std::size_t before = commits;
   EXPECT_EQ(store->remove(id), Removed::yes);
   EXPECT_GE(commits - before, 4U) << "others write in between";
@@ -161,18 +161,18 @@ TEST_F(StoreTest, GoesOnWhereAFullDiskStoppedIt) {
   const auto planned = long_plan();
   const std::string first = insert_id(*store), second = insert_id(*store);
   claim(*store, 1);
-  ASSERT_TRUE(store->succeed({first, 1}, planned, 2, 0, silent));
+  ASSERT_TRUE(store->succeed({first, 1}, planned, 2, nothing_seen, silent));
   claim(*store, 1);
   StoppingAt count(0);
   try {
-    store->succeed({second, 1}, planned, 2, 0, count);
+    store->succeed({second, 1}, planned, 2, nothing_seen, count);
     FAIL();
   } catch (const StoreError& error) {
     EXPECT_TRUE(error.full);
   }
   EXPECT_EQ(store->remove(first), Removed::yes);
   const int once = count.left;
-  EXPECT_TRUE(store->succeed({second, 1}, planned, 3, 0, count));
+  EXPECT_TRUE(store->succeed({second, 1}, planned, 3, nothing_seen, count));
   EXPECT_LT(once - count.left, 1'000'000 / 4096) << "what was stored is not packed again";
   const auto series = store->series(second);
   ASSERT_TRUE(series);

@@ -9,7 +9,7 @@ struct ViewsTest : StoreTest {
   std::string succeeded(std::size_t rows) {
     const std::string id = insert_id(*store);
     claim(*store, 1);
-    EXPECT_TRUE(store->succeed({id, 1}, ramp_plan(rows), 2, 0, silent));
+    EXPECT_TRUE(store->succeed({id, 1}, ramp_plan(rows), 2, nothing_seen, silent));
     return id;
   }
   int stored() {

@@ -184,10 +184,10 @@ void SplineProgram::settle_equalities() {
   }
 }
 
-/// Takes out the residuals that the interior-point method has left at points by the smoothest change: those of
-/// equalities where its last factors were bad, and those of ranges, by as little as a program may.
+/// Takes out the residuals that the interior-point method has left by the smoothest change: those of equalities where
+/// its last factors were bad, and those of ranges and of limits at their samples, by as little as a program may.
 void SplineProgram::settle_points() {
-  constexpr double rounding = 1e-13;
+  constexpr double rounding = 1e-13, strong = 1e4;  // a row that is taken in weighs as much as many others
   const std::vector<double>& g = band_.inequality_side();
   std::vector<double> gx(g.size()), ex(point_.y.size()), x(point_.x.size()), y(point_.y.size());
   const std::vector<double> none(point_.y.size(), 0);
@@ -200,13 +200,17 @@ void SplineProgram::settle_points() {
       off = off || std::abs(y[i]) > rounding;
     }
     std::vector<double> push(g.size(), 0);
-    for (std::size_t i = 0; i < ranges_.size(); ++i)
-      for (const std::size_t side : {band_.upper_side(i), band_.lower_side(i)}) {
+    const auto settle = [&](std::size_t row) {
+      for (const std::size_t side : {band_.upper_side(row), band_.lower_side(row)}) {
         if (side == BorderedRow::none || !(gx[side] - g[side] > rounding)) continue;
-        weights[side] = 1;
-        push[side] = g[side] - gx[side];
+        weights[side] = strong;
+        push[side] = strong * (g[side] - gx[side]);
         off = true;
       }
+    };
+    for (std::size_t i = 0; i < ranges_.size(); ++i) settle(i);
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (samples_[i].sample.limit) settle(fixed_rows() + i);
     if (!off || !band_.factor(weights)) return;
     std::fill(x.begin(), x.end(), 0.0);
     band_.add_transposed(push, none, x);

@@ -139,7 +139,13 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
   }
   if (!best.feasible) return result;
   point_.x = best.coefficients;
-  if (best.violation <= 1e-6) settle_points();
+  for (int pass = 0; pass < 6 && best.violation <= 1e-6; ++pass) {
+    settle_points();
+    evaluate(result, false);
+    if (result.violation <= options.violation) break;
+    exchange();  // a law that leaves a limit beside its samples gets samples there
+    add_rows();
+  }
   evaluate(result, true);
   if (!(result.violation <= std::max(best.violation, options.violation))) {
     point_.x = best.coefficients;

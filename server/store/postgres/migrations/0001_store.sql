@@ -36,6 +36,8 @@ CREATE TABLE jobs (
   callback_error text
 ) WITH (autovacuum_vacuum_scale_factor = 0, autovacuum_vacuum_threshold = 5000, autovacuum_analyze_scale_factor = 0, autovacuum_analyze_threshold = 5000);
 CREATE INDEX jobs_queue ON jobs (rank, turn, id) WHERE state = 'queued';
+-- The index is empty as long as planners of level 0 do for all.
+CREATE INDEX jobs_needs ON jobs (needs) WHERE state = 'queued' AND needs > 0;
 CREATE INDEX jobs_owner_queue ON jobs (owner, rank, turn) WHERE state = 'queued' AND owner IS NOT NULL;
 CREATE INDEX jobs_deadline ON jobs (deadline) WHERE state = 'queued' AND deadline IS NOT NULL;
 CREATE INDEX jobs_state ON jobs (state, id);

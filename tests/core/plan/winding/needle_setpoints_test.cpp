@@ -33,7 +33,8 @@ TEST(NeedleSetpoints, SteppedRowsAreTheSameInEverySliceAndOffTheLawByTheirLag) {
         std::make_shared<const Interpolation>(wound.motion, interpolator, 0.002, cycles, stage_progress);
     const NeedleSetpoints rows(
         wound.motion, wound.machine.axes, wound.limits, cycles,
-        [](std::size_t, double, const LawState&) { return 25.0; }, stepped);
+        WireForces{[](std::size_t, double, const LawState&) { return 25.0; }, [](double, double) { return 26.0; }},
+        stepped);
     EXPECT_EQ(failed(wound.needle_checks_of(rows)), "");
     EXPECT_EQ(failed(wound.setpoint_checks_of(rows)), "setpoints path");
     EXPECT_EQ(failed(wound.setpoint_checks_of(rows, 0.5)), "");
@@ -56,7 +57,7 @@ TEST(NeedleSetpoints, RatesOfThePoseAreItsDerivatives) {
   const Wound wound;
   const std::vector<double> all = all_rows(*wound.rows);
   const std::size_t width = wound.rows->columns().size();
-  ASSERT_EQ(width, 33u);
+  ASSERT_EQ(width, 34u);
   for (std::size_t c = 0; c < 5; ++c) {
     EXPECT_EQ(wound.rows->columns()[28 + c].name, "v" + wound.rows->columns()[20 + c].name);
     double off = 0, largest = 0;

@@ -200,12 +200,12 @@ TEST(WindingPlan, ExtremeFeedsAreVerifiedOrNamed) {
 TEST(WindingPlan, SetpointsAreInDegreesAndBelongTogether) {
   const WindingPlan p = planned(rotor_request(1));
   const SetpointSource& rows = *p.motion.setpoints;
-  ASSERT_EQ(rows.columns().size(), 33u);
+  ASSERT_EQ(rows.columns().size(), 34u);
   EXPECT_EQ(rows.columns()[3].unit, "deg");
   EXPECT_EQ(rows.columns()[18].name, "jq4");
   EXPECT_EQ(rows.columns()[18].unit, "deg/s³");
   EXPECT_EQ(rows.columns()[27].name, "brake");
-  const std::size_t width = 33;
+  const std::size_t width = 34;
   std::vector<double> all(rows.count() * width);
   rows.read(0, rows.count(), all.data());
   const double h = rows.cycle_time(), degrees = 180 / std::numbers::pi;
@@ -220,6 +220,8 @@ TEST(WindingPlan, SetpointsAreInDegreesAndBelongTogether) {
   EXPECT_LE(velocity, h * h / 6 * 700000);
   EXPECT_LE(jerk, 600000 * (1 + 1e-9));
   EXPECT_EQ(all[27], 30);
+  EXPECT_EQ(rows.columns()[33].name, "tension");
+  EXPECT_EQ(all[33], 30);
   EXPECT_NEAR(all[23], degrees * p.support[0].begin.pose.phi, 1e-9);
   const std::size_t last = (rows.count() - 1) * width;
   for (std::size_t c = 5; c < 20; ++c) EXPECT_EQ(all[last + c], 0);

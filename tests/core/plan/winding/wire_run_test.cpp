@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "core/base/read_rows.hpp"
 #include "tests/core/plan/winding/winding_plans.hpp"
 
 namespace bahnwerk {
@@ -39,6 +41,31 @@ TEST(WireRun, TheBrakeKeepsTheWiresTension) {
     EXPECT_FALSE(find(planned(r), "wire pull")->passed);
     r.tension = {.mass = 3, .range = 30};
     EXPECT_FALSE(find(planned(r), "wire slack")->passed);
+  }
+}
+
+std::vector<double> column_of(const SetpointSource& source, std::string_view name) {
+  const std::size_t width = source.columns().size(), column = column_index(source.columns(), name);
+  std::vector<double> all(source.count() * width), values;
+  source.read(0, source.count(), all.data());
+  for (std::size_t at = column; at < all.size(); at += width) values.push_back(all[at]);
+  return values;
+}
+
+/// The rows' tension is the one that is checked, with differences of rows beside it.
+TEST(WireRun, RowsTellTheTension) {
+  for (const bool saturated : {false, true}) {
+    WindingRequest r = rotor_request(2);
+    r.tension.mass = saturated ? 3 : 0.1;
+    if (saturated) r.tension.range = 30;
+    const WindingPlan p = planned(r);
+    const std::vector<double> tension = column_of(*p.motion.setpoints, "tension");
+    const auto [least, peak] = std::minmax_element(tension.begin(), tension.end());
+    EXPECT_LE(*peak, p.wire.peak + 1e-9);
+    EXPECT_GE(*least, p.wire.least - 1e-9);
+    if (!saturated) continue;
+    EXPECT_GT(*peak - 30, 0.9 * (p.wire.peak - 30)) << "the brake is open, and the wire's path accelerates";
+    EXPECT_LT(*least, 0) << "the brake pulls with all that it has";
   }
 }
 

@@ -35,8 +35,9 @@ struct Wound {
     const Cycles cycles = whole_cycles(law.duration(), limits.cycle_time);
     law.slow(cycles.factor);
     motion = std::make_shared<const PathMotion>(machine.axes, std::move(law));
-    rows = std::make_unique<NeedleSetpoints>(motion, machine.axes, limits, cycles.count,
-                                             [](std::size_t, double, const LawState&) { return 25.0; });
+    rows = std::make_unique<NeedleSetpoints>(
+        motion, machine.axes, limits, cycles.count,
+        WireForces{[](std::size_t, double, const LawState&) { return 25.0; }, [](double, double) { return 26.0; }});
   }
   std::vector<Check> needle_checks_of(const SetpointSource& source) const {
     SilentProgress progress;

@@ -1,5 +1,3 @@
-#include <future>
-
 #include "stores.hpp"
 
 namespace bahnwerk::server {
@@ -26,15 +24,33 @@ TYPED_TEST(Attempts, ClaimsByPriorityThenInOrder) {
   EXPECT_FALSE(claim(*store, 1));
 }
 
+/// Progress that clients see at once, with a revision of its own each.
+struct SeenProgress final : Progress {
+  void report(std::string_view, double, std::string_view) override { ++revision; }
+  std::uint64_t revision = 7;
+};
+
+TYPED_TEST(Attempts, AResultComesAfterTheProgressOfStoringIt) {
+  auto& store = this->here;
+  const std::string id = insert_id(*store);
+  claim(*store, 1);
+  SeenProgress progress;
+  const auto seen = [&] { return progress.revision; };
+  ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(100'000), 2, seen, progress));
+  EXPECT_GT(progress.revision, 7U) << "storing tells its progress";
+  EXPECT_GT(store->get(id)->revision, progress.revision) << "who has seen that must learn of the end";
+}
+
 TYPED_TEST(Attempts, TakesAResultOnceAndFromTheRightAttempt) {
   auto& store = this->here;
   const std::string id = insert_id(*store);
-  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 2, 0, this->silent)) << "not running yet";
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 2, nothing_seen, this->silent)) << "not running yet";
   claim(*store, 1);
-  EXPECT_FALSE(store->succeed({id, 2}, ramp_plan(10), 2, 0, this->silent)) << "another attempt";
+  EXPECT_FALSE(store->succeed({id, 2}, ramp_plan(10), 2, nothing_seen, this->silent)) << "another attempt";
   EXPECT_FALSE(store->result(id));
-  EXPECT_TRUE(store->succeed({id, 1}, ramp_plan(10), 2, 40, this->silent));
-  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(99), 3, 0, this->silent)) << "twice";
+  EXPECT_TRUE(store->succeed(
+      {id, 1}, ramp_plan(10), 2, [] { return std::uint64_t{40}; }, this->silent));
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(99), 3, nothing_seen, this->silent)) << "twice";
   EXPECT_FALSE(store->end({id, 1}, {JobState::failed, "{}", 3, 0}));
   EXPECT_FALSE(store->requeue({id, 1}, 3, 0));
   const auto job = store->get(id);
@@ -68,17 +84,61 @@ TYPED_TEST(Attempts, TakesNothingFromAPlannerWhoseJobWasPutBackAndClaimedAgain) 
   const auto again = claim(*this->other, 3, "b", 500);
   EXPECT_EQ(again->attempt, 1) << "the number returns to use";
   const Attempt later{id, again->token};
-  EXPECT_FALSE(store->succeed(stuck, ramp_plan(10), 4, 0, this->silent));
+  EXPECT_FALSE(store->succeed(stuck, ramp_plan(10), 4, nothing_seen, this->silent));
   EXPECT_FALSE(store->end(stuck, {JobState::failed, "{}", 4, 0}));
   EXPECT_FALSE(store->requeue(stuck, 4, 0));
-  EXPECT_EQ(store->heartbeat({"b", 4, 600}, {stuck}), std::vector{stuck});
-  std::promise<void> stored;
-  store->progress({stuck, 0.5, "half", "", 9}, [&] { stored.set_value(); });
-  stored.get_future().wait();
+  for (const char* const worker : {"a", "b"})
+    EXPECT_TRUE(store->heartbeat({worker, 4, 600}, {{stuck, 0.5, "half", "", 9}}).empty());
   EXPECT_EQ(store->get(id)->fraction, 0);
   EXPECT_EQ(store->get(id)->state, JobState::running);
-  EXPECT_TRUE(this->other->succeed(later, ramp_plan(20), 5, 0, this->silent));
+  EXPECT_TRUE(this->other->succeed(later, ramp_plan(20), 5, nothing_seen, this->silent));
   EXPECT_EQ(store->series(id)->count, 20U);
+}
+
+TYPED_TEST(Attempts, AreToldOfTogetherByOneHeartbeat) {
+  auto& store = this->here;
+  this->queue(3);
+  std::vector<Attempt> attempts;
+  for (int k = 0; k < 3; ++k) attempts.push_back({claim(*store, 1000, "a", 500)->id, 1});
+  this->other->cancel(attempts[2].id, 1100);
+  const auto held = store->heartbeat(
+      {"a", 1200, 1700}, {{attempts[0], 0.25, "grid", "x", 20}, {{attempts[1].id, 2}}, {attempts[2], 0.5, "", "", 30}});
+  ASSERT_EQ(held.size(), 2U) << "one is another attempt";
+  for (const Held& each : held) {
+    const bool first = each.attempt == attempts[0];
+    EXPECT_TRUE(first || each.attempt == attempts[2]);
+    EXPECT_EQ(each.revision, first ? 20U : 30U);
+    EXPECT_EQ(each.cancel_requested, !first);
+  }
+  const auto job = this->other->get(attempts[0].id);
+  EXPECT_EQ(job->fraction, 0.25);
+  EXPECT_EQ(job->stage, "grid");
+  EXPECT_EQ(job->message, "x");
+  EXPECT_EQ(job->revision, 20U);
+  const auto late = store->heartbeat({"a", 1300, 1800}, {{attempts[0], 0.125, "late", "", 19}});
+  ASSERT_EQ(late.size(), 1U);
+  EXPECT_EQ(late[0].revision, 20U) << "the stored one is ahead";
+  EXPECT_EQ(store->get(attempts[0].id)->stage, "grid") << "what is older is not stored, but the lease is extended";
+  EXPECT_EQ(this->other->expire(1750).lost.size(), 2U);
+  EXPECT_EQ(store->get(attempts[0].id)->state, JobState::running);
+}
+
+TYPED_TEST(Attempts, FollowTheQueueWhateverComesBeforeTheLastClaim) {
+  auto& store = this->here;
+  this->queue(5);
+  const std::string first = claim(*store, 1)->id, second = claim(*store, 1)->id;
+  EXPECT_TRUE(store->requeue({first, 1}, 2, 0));
+  EXPECT_EQ(claim(*store, 3)->id, first) << "put back, it is the first again";
+  const std::string urgent = insert_id(*store, new_job(5));
+  EXPECT_EQ(claim(*store, 4)->id, urgent);
+  EXPECT_TRUE(this->other->requeue({second, 1}, 5, 0));
+  store->changes_since(0, 100);  // of which the process hears
+  EXPECT_EQ(claim(*store, 6)->id, second);
+  std::size_t more = 0;
+  while (claim(*store, 7)) ++more;
+  EXPECT_EQ(more, 3U);
+  EXPECT_TRUE(this->other->requeue({second, 2}, 8, 0));
+  EXPECT_EQ(claim(*store, 9)->id, second) << "nothing is left behind unheard";
 }
 
 TYPED_TEST(Attempts, Cancels) {

@@ -34,7 +34,7 @@ TYPED_TEST(StoredCallbacks, AreDueWithTheEndOfTheJobWhateverEndsIt) {
   auto attempt = claim(*this->here, 0);
   EXPECT_EQ(attempt->id, succeeded);
   EXPECT_TRUE(this->due().empty());
-  ASSERT_TRUE(this->here->succeed({succeeded, 1}, ramp_plan(10), 7, 1, this->silent));
+  ASSERT_TRUE(this->here->succeed({succeeded, 1}, ramp_plan(10), 7, nothing_seen, this->silent));
   EXPECT_EQ(this->due(), Ids{succeeded});
   EXPECT_EQ(this->here->callback_receivers(), (std::vector<std::pair<std::string, std::int64_t>>{{"r", 7}}));
 

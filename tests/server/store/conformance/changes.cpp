@@ -50,9 +50,7 @@ TYPED_TEST(ChangesSince, ShowEveryKindOfChangeOnce) {
   expect({});  // a replay and a conflict change nothing
   claim(*store, 1, "w", 1000);
   expect({{a, JobState::running}});
-  std::promise<void> stored;
-  store->progress({{a, 1}, 0.5, "half", "", 9}, [&] { stored.set_value(); });
-  stored.get_future().wait();
+  store->heartbeat({"w", 2, 1500}, {{{a, 1}, 0.5, "half", "", 9}});
   expect({});  // progress is no change of a job's state
   store->cancel(a, 2);
   const auto cancelled = this->other->changes_since(sequence, 10);
@@ -61,7 +59,7 @@ TYPED_TEST(ChangesSince, ShowEveryKindOfChangeOnce) {
   expect({{a, JobState::running}});
   store->cancel(a, 3);
   store->cancel("none", 3);
-  store->heartbeat({"w", 3, 1500}, {{a, 1}});
+  store->heartbeat({"w", 3, 1500}, {{{a, 1}}});
   EXPECT_EQ(store->remove(a), Removed::running);
   EXPECT_FALSE(store->end({a, 2}, {JobState::failed, "{}", 4, 0}));
   expect({});
@@ -71,7 +69,7 @@ TYPED_TEST(ChangesSince, ShowEveryKindOfChangeOnce) {
   store->requeue({b, 1}, 6, 0);
   expect({{b, JobState::queued}});  // twice, but its last state is what counts
   claim(*store, 7);
-  EXPECT_TRUE(store->succeed({b, 2}, ramp_plan(5000), 8, 0, this->silent));
+  EXPECT_TRUE(store->succeed({b, 2}, ramp_plan(5000), 8, nothing_seen, this->silent));
   expect({{b, JobState::succeeded}});
   EXPECT_EQ(store->remove(b), Removed::yes);
   expect({{b, std::nullopt}});

@@ -25,26 +25,48 @@ TYPED_TEST(Leases, GiveTheJobToAnotherWhenTheyRunOut) {
   EXPECT_EQ(again->attempt, 2);
   EXPECT_EQ(again->started_at, 1500);
   EXPECT_GT(again->revision, revision + 1000) << "clients may have seen revisions that were never stored";
-  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 1600, 0, this->silent)) << "its attempt is over";
+  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(10), 1600, nothing_seen, this->silent)) << "its attempt is over";
   EXPECT_FALSE(store->end({id, 1}, {JobState::failed, "{}", 1600, 0}));
   EXPECT_FALSE(store->requeue({id, 1}, 1600, 0));
-  EXPECT_EQ(store->heartbeat({"a", 1600, 2100}, {{id, 1}}), (std::vector<Attempt>{{id, 1}}));
+  EXPECT_EQ(over(*store, {"a", 1600, 2100}, {{id, 1}}).size(), 1U);
   EXPECT_EQ(store->get(id)->state, JobState::running);
-  EXPECT_TRUE(this->other->succeed({id, 2}, ramp_plan(10), 1700, 0, this->silent));
+  EXPECT_TRUE(this->other->succeed({id, 2}, ramp_plan(10), 1700, nothing_seen, this->silent));
+}
+
+TYPED_TEST(Leases, AreNotTakenOfJobsThatNeedPlannersOfALaterVersion) {
+  this->restart(api::engine_level + 1);
+  NewJob urgent = new_job(1);
+  const std::string later = insert_id(*this->here, urgent);
+  EXPECT_EQ(this->here->status().beyond_engine, 0U);
+  this->restart();
+  const std::string own = insert_id(*this->here);
+  EXPECT_EQ(this->here->status().beyond_engine, 1U);
+  EXPECT_EQ(claim(*this->here, 1, "a")->id, own) << "behind it in the queue";
+  EXPECT_TRUE(this->here->end({own, 1}, {JobState::failed, "{}", 2, 0}));
+  EXPECT_FALSE(claim(*this->other, 3, "b"));
+  EXPECT_EQ(this->here->get(later)->state, JobState::queued);
+  EXPECT_EQ(this->here->counts().at(JobState::queued), 1U);
+  this->restart(api::engine_level + 1);
+  EXPECT_EQ(claim(*this->other, 4, "c")->id, later);
+  EXPECT_EQ(this->here->status().beyond_engine, 0U);
+  this->restart(api::engine_level + 2);
+  EXPECT_FALSE(insert_id(*this->here).empty());
+  this->restart();
+  EXPECT_EQ(this->here->cancel(this->here->queue(10).back(), 5)->state, JobState::cancelled) << "clients may end it";
 }
 
 TYPED_TEST(Leases, AreExtendedByAHeartbeat) {
   auto& store = this->here;
   this->queue(2);
   const std::string kept = claim(*store, 1000, "a", 500)->id, left = claim(*store, 1000, "a", 500)->id;
-  EXPECT_TRUE(store->heartbeat({"a", 1400, 1900}, {{kept, 1}}).empty());
-  EXPECT_EQ(store->heartbeat({"b", 1400, 9000}, {{kept, 1}}).size(), 1U) << "of another worker";
-  EXPECT_EQ(store->heartbeat({"a", 1400, 9000}, {{kept, 2}}).size(), 1U) << "another attempt";
-  EXPECT_EQ(store->heartbeat({"a", 1400, 9000}, {{"none", 1}}).size(), 1U);
-  EXPECT_TRUE(store->heartbeat({"a", 1400, 9000}, {}).empty());
+  EXPECT_TRUE(over(*store, {"a", 1400, 1900}, {{kept, 1}}).empty());
+  EXPECT_EQ(over(*store, {"b", 1400, 9000}, {{kept, 1}}).size(), 1U) << "of another worker";
+  EXPECT_EQ(over(*store, {"a", 1400, 9000}, {{kept, 2}}).size(), 1U) << "another attempt";
+  EXPECT_EQ(over(*store, {"a", 1400, 9000}, {{"none", 1}}).size(), 1U);
+  EXPECT_TRUE(over(*store, {"a", 1400, 9000}, {}).empty());
   EXPECT_EQ(claim(*this->other, 1600, "b", 500)->id, left);
   EXPECT_FALSE(claim(*this->other, 1899, "b", 500));
-  EXPECT_TRUE(store->heartbeat({"a", 1950, 2500}, {{kept, 1}}).empty()) << "late, but nobody had noticed";
+  EXPECT_TRUE(over(*store, {"a", 1950, 2500}, {{kept, 1}}).empty()) << "late, but nobody had noticed";
   EXPECT_FALSE(store->expire(2050).lost == std::vector{kept});
   EXPECT_TRUE(store->end({kept, 1}, {JobState::failed, "{}", 2600, 0})) << "its attempt is still the one";
 }
@@ -102,7 +124,7 @@ TYPED_TEST(Leases, OfSuspectsAreNotSharedWithInnocents) {
   EXPECT_TRUE(store->end({early, 1}, {JobState::failed, "{}", 2100, 0}));
   EXPECT_EQ(claim(*store, 2100, "a", 500)->id, suspect);
   EXPECT_FALSE(claim(*store, 2100, "a", 500)) << "nothing begins beside it";
-  EXPECT_TRUE(store->succeed({suspect, 2}, ramp_plan(10), 2200, 0, this->silent));
+  EXPECT_TRUE(store->succeed({suspect, 2}, ramp_plan(10), 2200, nothing_seen, this->silent));
   EXPECT_TRUE(claim(*store, 2200, "a", 500));
 }
 

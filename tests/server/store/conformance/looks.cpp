@@ -46,9 +46,7 @@ TYPED_TEST(Looks, TellsWhichJobsRunWithTheirRevisions) {
   ASSERT_EQ(running.size(), 1U);
   EXPECT_EQ(running[0].id, first);
   EXPECT_EQ(running[0].revision, job->revision);
-  std::promise<void> kept;
-  store->progress({{job->id, job->token}, 0.5, "stage", "", job->revision + 7}, [&] { kept.set_value(); });
-  kept.get_future().wait();
+  store->heartbeat({"worker", 1, Lease::forever}, {{{job->id, job->token}, 0.5, "stage", "", job->revision + 7}});
   running = this->other->running();
   ASSERT_EQ(running.size(), 1U);
   EXPECT_EQ(running[0].revision, this->other->get(first, false)->revision);
@@ -80,7 +78,7 @@ TYPED_TEST(Looks, OpensTextsInPiecesThatAreGoneWithTheirJob) {
     EXPECT_EQ(claim(*store, 1)->request.document, text);
     api::PlannedJob planned = ramp_plan(1);
     planned.result["text"] = text;
-    ASSERT_TRUE(store->succeed({id, 1}, planned, 2, 0, this->silent));
+    ASSERT_TRUE(store->succeed({id, 1}, planned, 2, nothing_seen, this->silent));
     EXPECT_EQ(store->result(id), planned.result.dump());
     const auto result = store->open_result(id);
     store->remove(id);
@@ -121,7 +119,7 @@ TYPED_TEST(Looks, CountsTheJobsOfEveryState) {
   expect(5, 0, 0, 0, 0);
   const auto good = claim(*store, 1)->id, bad = claim(*store, 1)->id, back = claim(*store, 1)->id;
   expect(2, 3, 0, 0, 0);
-  EXPECT_TRUE(store->succeed({good, 1}, ramp_plan(1), 2, 0, this->silent));
+  EXPECT_TRUE(store->succeed({good, 1}, ramp_plan(1), 2, nothing_seen, this->silent));
   EXPECT_TRUE(store->end({bad, 1}, {JobState::failed, "{}", 2, 0}));
   EXPECT_TRUE(store->requeue({back, 1}, 2, 0));
   expect(3, 0, 1, 1, 0);
@@ -139,7 +137,7 @@ TYPED_TEST(Looks, RemovesWhatDoesNotRun) {
   const std::string id = insert_id(*store);
   claim(*store, 1);
   EXPECT_EQ(store->remove(id), Removed::running);
-  EXPECT_TRUE(store->succeed({id, 1}, ramp_plan(10), 2, 0, this->silent));
+  EXPECT_TRUE(store->succeed({id, 1}, ramp_plan(10), 2, nothing_seen, this->silent));
   EXPECT_EQ(store->remove(id), Removed::yes);
   EXPECT_FALSE(store->get(id));
   EXPECT_FALSE(store->result(id));

@@ -1,4 +1,8 @@
 /// What the PostgreSQL store has beside what every store holds.
+#include <algorithm>
+#include <thread>
+
+#include "../postgres_wire.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/store/open.hpp"
 #include "server/store/postgres/migrate.hpp"
@@ -34,14 +38,58 @@ TEST_F(PostgresOnly, NumbersOfChangesGoOnWhereACrashHasEmptiedTheirTables) {
   EXPECT_EQ(stores->other().changes_since(after, 10).list.front().id, id);
 }
 
-TEST_F(PostgresOnly, AJobThatNeedsALaterEngineWaitsForOne) {
-  PostgresOptions later{
-      .url = stores->url, .patience = PostgresServer::patient(), .engine = 1, .times_of_callers = true};
-  PostgresStore newer(later);
-  const std::string id = insert_id(newer), plain = insert_id(stores->one());
-  EXPECT_EQ(claim(stores->one(), 1)->id, plain);
-  EXPECT_FALSE(claim(stores->one(), 1, "another"));
-  EXPECT_EQ(claim(newer, 1, "third")->id, id);
+TEST_F(PostgresOnly, JobsThatNeedALaterEngineAreCounted) {
+  PostgresStore newer(
+      {.url = stores->url, .patience = PostgresServer::patient(), .engine = 1, .times_of_callers = true});
+  insert_id(newer);
+  insert_id(newer);
+  insert_id(stores->one());
+  EXPECT_EQ(stores->one().status().beyond_engine, 2U);
+  EXPECT_EQ(newer.status().beyond_engine, 0U);
+}
+
+TEST_F(PostgresOnly, AnOpenSnapshotAndWhatItKeepsAreMeasured) {
+  Store& store = stores->one();
+  const std::string id = insert_id(store);
+  PostgresConnection reader(stores->url, PostgresServer::patient());
+  reader.script("BEGIN ISOLATION LEVEL REPEATABLE READ; SET LOCAL idle_in_transaction_session_timeout = 0");
+  reader.run("SELECT 1 FROM jobs LIMIT 1");
+  const StoreStatus before = store.status();
+  EXPECT_GT(before.snapshot_seconds, 0);
+  for (int k = 0; k < 7; ++k) run("UPDATE jobs SET name = 'again'");
+  const StoreStatus after = store.status();
+  EXPECT_GE(after.snapshot_transactions, before.snapshot_transactions + 7);
+  EXPECT_GT(after.snapshot_seconds, before.snapshot_seconds);
+  // A session tells what it has done when it has ended, after its client's call.
+  for (int k = 0; k < 6000 && store.status().dead_rows < 7; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_GE(store.status().dead_rows, 7);
+  reader.rollback();
+  EXPECT_LT(store.status().snapshot_transactions, after.snapshot_transactions);
+}
+
+TEST_F(PostgresOnly, ConnectionsAreCountedByUse) {
+  Store& store = stores->one();
+  insert_id(store);
+  const StoreConnections connections = store.connections();
+  EXPECT_EQ(connections.most, 6U) << "of eight, less those of leases and signals";
+  EXPECT_GE(connections.idle + connections.busy, 1U);
+  EXPECT_LE(connections.idle + connections.busy, 6U);
+}
+
+TEST_F(PostgresOnly, AnAttemptThatAClaimFindsLostIsTold) {
+  std::vector<std::string> lost;
+  PostgresStore store({.url = stores->url,
+                       .patience = PostgresServer::patient(),
+                       .lost = [&](const std::vector<std::string>& jobs) { lost = jobs; },
+                       .times_of_callers = true});
+  const std::string id = insert_id(store);
+  ASSERT_TRUE(claim(stores->other(), 1000, "a", 500));
+  EXPECT_FALSE(claim(store, 1499, "b", 500));
+  EXPECT_TRUE(lost.empty());
+  EXPECT_EQ(claim(store, 1500, "b", 500)->id, id);
+  EXPECT_EQ(lost, std::vector{id});
+  EXPECT_TRUE(store.expire(1600).lost.empty()) << "it is told once";
 }
 
 TEST_F(PostgresOnly, CountsAndAttemptsAgreeWithTheJobs) {
@@ -54,7 +102,7 @@ TEST_F(PostgresOnly, CountsAndAttemptsAgreeWithTheJobs) {
   for (int k = 0; k < 4; ++k) claim(store, 1000, "w" + std::to_string(k), 500);
   const auto jobs = store.list({.state = api::JobState::running, .oldest_first = true});
   ASSERT_EQ(jobs.size(), 4U);
-  EXPECT_TRUE(store.succeed({jobs[0].id, 1}, ramp_plan(10'000), 1100, 0, silent));
+  EXPECT_TRUE(store.succeed({jobs[0].id, 1}, ramp_plan(10'000), 1100, nothing_seen, silent));
   EXPECT_TRUE(store.end({jobs[1].id, 1}, {.error = "{}", .now = 1100, .revision = 3}));
   EXPECT_TRUE(store.requeue({jobs[2].id, 1}, 1100, 0));
   EXPECT_EQ(store.expire(1500).lost, std::vector{jobs[3].id});
@@ -95,6 +143,13 @@ TEST_F(PostgresOnly, AStoreThatNeedsANewerProgramIsRefused) {
   EXPECT_THROW(PostgresStore({.url = stores->url}), StoreError);
 }
 
+TEST_F(PostgresOnly, AnOlderSchemaIsRefusedWhereItMayNotBeChanged) {
+  const PostgresOptions options{.url = stores->url, .patience = PostgresServer::patient(), .migrate = false};
+  EXPECT_NO_THROW(const PostgresStore store(options));
+  run("UPDATE schema_version SET version = version - 1");
+  EXPECT_THROW(const PostgresStore store(options), StoreError);
+}
+
 TEST_F(PostgresOnly, TextsThatAreNoUtf8AreKeptReadable) {
   NewJob job = new_job();
   job.request.name = "caf\xC3 caf\xC3\xA9";
@@ -108,6 +163,144 @@ TEST_F(PostgresOnly, AConnectionThatTheServerEndsIsReplaced) {
   run("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'bahnwerk'");
   EXPECT_TRUE(store.get(id));
   EXPECT_TRUE(claim(store, 1));
+}
+
+TEST_F(PostgresOnly, WhatWasCommittedIsFoundWhereTheAnswerWasLost) {
+  PostgresWire wire(stores->url);
+  PostgresStore store({.url = wire.url(), .patience = PostgresServer::patient(), .times_of_callers = true});
+  wire.part("INSERT INTO jobs");
+  const Inserted inserted = insert(store, new_job(0, "key", "body"));
+  EXPECT_EQ(wire.parted(), 1);
+  EXPECT_EQ(inserted.what, Inserted::What::created);
+  EXPECT_EQ(stores->one().list({}).size(), 1U);
+  wire.part("INSERT INTO runs");
+  EXPECT_THROW(claim(store, 1000, "w", 500), StoreAway);
+  EXPECT_EQ(stores->one().get(inserted.id)->state, api::JobState::running);
+  std::optional<api::Job> job;
+  while (!job) try {
+      job = claim(store, 1000, "w", 500);
+    } catch (const StoreAway&) {  // the connections that the first loss made suspicious
+    }
+  EXPECT_EQ(job->id, inserted.id);
+  EXPECT_EQ(job->attempt, 1) << "the claim was carried out, once";
+  wire.part("UPDATE runs SET lease_until");
+  EXPECT_EQ(store.heartbeat({"w", 1100, 1600}, {{{job->id, 1}, 0.5, "grid", "", 9}}).size(), 1U);
+  wire.part("ended_by = $10");
+  EXPECT_TRUE(store.end({job->id, 1}, {.error = "{}", .now = 1200, .revision = 9})) << "it has ended by this call";
+  EXPECT_EQ(wire.parted(), 4);
+  EXPECT_FALSE(store.end({job->id, 1}, {.error = "{}", .now = 1300, .revision = 9}));
+  const std::string other = insert_id(store);
+  const Attempt attempt{claim(store, 2000, "w", 500)->id, 1};
+  EXPECT_EQ(attempt.id, other);
+  wire.part("ended_by");
+  EXPECT_TRUE(store.succeed(attempt, ramp_plan(10'000), 2100, nothing_seen, silent));
+  EXPECT_EQ(wire.parted(), 5);
+  EXPECT_EQ(stores->one().get(other)->state, api::JobState::succeeded);
+  EXPECT_EQ(inspect(stores->url), std::vector<std::string>{});
+}
+
+/// A store that measures by the database's clock, as in the service.
+struct ByItsClock {
+  explicit ByItsClock(const std::string& url) : store({.url = url, .patience = PostgresServer::patient()}) {}
+  /// Looks until the job is lost; returns how long that took since `from`.
+  std::chrono::steady_clock::duration lost(const std::string& id, std::chrono::steady_clock::time_point from) {
+    for (;;) {
+      const auto ids = store.expire(now_ms()).lost;
+      if (std::find(ids.begin(), ids.end(), id) != ids.end()) return std::chrono::steady_clock::now() - from;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  std::optional<api::Job> claim() { return store.claim({"dead", now_ms(), now_ms() + lease.count()}); }
+  static constexpr std::chrono::milliseconds lease{700};
+  PostgresStore store;
+};
+
+TEST_F(PostgresOnly, AfterAnOutageLeasesRunOutInAWholeLeaseAndTheirLossIsNotCounted) {
+  ByItsClock by(stores->url);
+  const std::string id = insert_id(by.store);
+  ASSERT_TRUE(by.claim());
+  run("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'bahnwerk'");
+  const auto outage = std::chrono::steady_clock::now();
+  EXPECT_GE(by.lost(id, outage), by.lease) << "whoever lives renews first";
+  EXPECT_EQ(run("SELECT losses FROM jobs"), "0") << "the worker may have been cut off";
+  EXPECT_EQ(by.store.get(id, false)->state, api::JobState::queued);
+}
+
+TEST_F(PostgresOnly, ALossThatNoOutageExplainsIsCounted) {
+  const std::string id = insert_id(stores->one());
+  // The server has been up for long, as far as the lease is concerned.
+  std::this_thread::sleep_for(ByItsClock::lease);
+  ByItsClock by(stores->url);
+  const auto start = std::chrono::steady_clock::now() - std::chrono::milliseconds(50);
+  ASSERT_TRUE(by.claim());
+  EXPECT_GE(by.lost(id, start), by.lease) << "the process begins by waiting for a whole lease, too";
+  EXPECT_EQ(run("SELECT losses FROM jobs"), "1");
+}
+
+TEST_F(PostgresOnly, RevisionsLeapOnceWhereACrashMayHaveUndoneHeartbeats) {
+  PostgresStore store({.url = stores->url, .patience = PostgresServer::patient()});
+  insert_many(store, 2);
+  const std::int64_t now = now_ms();
+  const Attempt attempt{claim(store, now, "w", 60'000)->id, 1}, other{claim(store, now, "w", 60'000)->id, 1};
+  const auto beat = [&](double fraction, std::uint64_t revision) {
+    const auto held = store.heartbeat({"w", now, now + 60'000}, {{attempt, fraction, "grid", "", revision}});
+    return held.size() == 1 ? held[0].revision : 0;
+  };
+  EXPECT_EQ(beat(0.5, 9), 9U);
+  // As if the server had started since.
+  run("UPDATE runs SET lease_until = pg_postmaster_start_time() + interval '59 s' WHERE id = '" + attempt.id + "'");
+  const auto revision = [&](const Attempt& of) {
+    run("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'bahnwerk'");
+    return store.get(of.id, false)->revision;
+  };
+  const std::uint64_t raised = 9 + lost_leap;
+  EXPECT_EQ(revision(attempt), raised);
+  EXPECT_EQ(revision(attempt), raised) << "by the first one alone that connects";
+  EXPECT_EQ(revision(other), 2U) << "of which was heard since the start";
+  EXPECT_EQ(beat(0.75, 12), raised) << "so the worker goes on above it";
+  EXPECT_EQ(store.get(attempt.id, false)->fraction, 0.5);
+  EXPECT_EQ(beat(0.75, raised + 1), raised + 1);
+  EXPECT_EQ(store.get(attempt.id, false)->fraction, 0.75);
+  EXPECT_EQ(revision(attempt), raised + 1) << "nothing can have been undone";
+}
+
+TEST_F(PostgresOnly, APooledSessionKeepsNothingAndPreparesNothing) {
+  PostgresConnection connection(stores->url, PostgresServer::patient(), PostgresSession::pooled);
+  const auto shown = [&](const char* setting) {
+    return connection.run("SELECT current_setting($1)", PostgresParameters() << setting).text(0, 0);
+  };
+  EXPECT_EQ(shown("search_path"), "bahnwerk") << "within a transaction";
+  EXPECT_EQ(connection.run_all({{"SELECT 1"}, {"SELECT 2"}}).at(1).integer(0, 0), 2);
+  connection.begin();
+  EXPECT_EQ(shown("lock_timeout"), "2s");
+  EXPECT_EQ(connection.run("SELECT id FROM jobs").size(), 0U);
+  connection.commit();
+  EXPECT_THROW(connection.run("SELECT 1 / 0"), StoreError);
+  EXPECT_TRUE(connection.idle());
+  connection.script("CREATE TEMPORARY TABLE left_over AS SELECT current_setting('search_path') AS path");
+  EXPECT_NE(connection.run("SELECT path FROM pg_temp.left_over").text(0, 0), "bahnwerk") << "outside of it";
+  EXPECT_EQ(connection.run("SELECT count(*) FROM pg_prepared_statements").integer(0, 0), 0);
+}
+
+TEST_F(PostgresOnly, WhatTheServerLacksIsNamedAndRefused) {
+  run("CREATE ROLE poor LOGIN; GRANT USAGE ON SCHEMA bahnwerk TO poor; GRANT ALL ON ALL TABLES IN SCHEMA bahnwerk TO "
+      "poor");
+  std::string url = stores->url;
+  url.replace(url.find("postgres@"), 9, "poor@");
+  const auto why = [&] {
+    try {
+      const PostgresStore store({.url = url, .patience = PostgresServer::patient(), .migrate = false});
+    } catch (const StoreRefused& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(why(), "");
+  run("REVOKE EXECUTE ON FUNCTION pg_current_snapshot() FROM PUBLIC; REVOKE UPDATE ON jobs FROM poor");
+  EXPECT_NE(why().find("pg_current_snapshot"), std::string::npos) << why();
+  EXPECT_EQ(why().find("advisory"), std::string::npos) << why();
+  run("REVOKE EXECUTE ON FUNCTION pg_try_advisory_xact_lock_shared(bigint) FROM PUBLIC");
+  EXPECT_NE(why().find("advisory locks"), std::string::npos) << why();
 }
 
 TEST_F(PostgresOnly, EachDayHasItsPartition) {

@@ -65,13 +65,13 @@ TYPED_TEST(Replicas, ShowNothingOfTheSetpointsOfALostAttempt) {
   const std::string id = insert_id(*this->here);
   const Attempt stale{id, claim(*this->here, 1000, "a", 500)->token};
   StoppingNearTheEnd stopping;
-  EXPECT_THROW(this->here->succeed(stale, NoisyRows::plan(1), 1100, 0, stopping), Stopped);
+  EXPECT_THROW(this->here->succeed(stale, NoisyRows::plan(1), 1100, nothing_seen, stopping), Stopped);
   EXPECT_FALSE(this->here->series(id)) << "pieces are stored, and nobody sees them";
   const auto again = claim(*this->other, 1500, "b", 500);
   ASSERT_TRUE(again);
-  EXPECT_FALSE(this->here->succeed(stale, NoisyRows::plan(1), 1600, 0, this->silent));
-  ASSERT_TRUE(this->other->succeed({id, again->token}, NoisyRows::plan(2), 1700, 0, this->silent));
-  EXPECT_FALSE(this->here->succeed(stale, NoisyRows::plan(1), 1800, 0, this->silent));
+  EXPECT_FALSE(this->here->succeed(stale, NoisyRows::plan(1), 1600, nothing_seen, this->silent));
+  ASSERT_TRUE(this->other->succeed({id, again->token}, NoisyRows::plan(2), 1700, nothing_seen, this->silent));
+  EXPECT_FALSE(this->here->succeed(stale, NoisyRows::plan(1), 1800, nothing_seen, this->silent));
   for (Expired expired = this->here->expire(1900); expired.next; expired = this->here->expire(1900)) {
   }
   const auto series = this->here->series(id);

@@ -14,7 +14,7 @@ TYPED_TEST(Series, GivesBackEveryRowAcrossChunks) {
   constexpr std::size_t count = 3 * 4096 + 17;
   const std::string id = insert_id(*store);
   claim(*store, 1);
-  ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(count), 2, 0, this->silent));
+  ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(count), 2, nothing_seen, this->silent));
   const auto series = store->series(id);
   ASSERT_TRUE(series);
   EXPECT_EQ(series->count, count);
@@ -37,7 +37,7 @@ TYPED_TEST(Series, KnowsPlansWithoutSetpoints) {
   auto& store = this->here;
   const std::string id = insert_id(*store);
   claim(*store, 1);
-  ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(0), 2, 0, this->silent));
+  ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(0), 2, nothing_seen, this->silent));
   EXPECT_TRUE(store->result(id));
   EXPECT_FALSE(store->series(id));
 }

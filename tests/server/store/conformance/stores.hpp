@@ -12,9 +12,9 @@ struct SqliteStores {
   static constexpr bool restart_ends_leases = true;  ///< else they run out in their time
   static bool missing() { return false; }
   SqliteStores() { restart(); }
-  void restart() {
+  void restart(int engine = api::engine_level) {
     store.reset();
-    store = std::make_unique<SqliteStore>(SqliteOptions{.path = (folder.path / "store.db").string()});
+    store = std::make_unique<SqliteStore>(SqliteOptions{.path = (folder.path / "store.db").string(), .engine = engine});
   }
   Store& one() { return *store; }
   Store& other() { return *store; }
@@ -23,20 +23,25 @@ struct SqliteStores {
   std::unique_ptr<Store> store;
 };
 
-struct PostgresStores {
-  static constexpr const char* name = "Postgres";
+template <PostgresSession session>
+struct PostgresStoresBy {
+  static constexpr const char* name = session == PostgresSession::pooled ? "PostgresPooled" : "Postgres";
   static constexpr bool restart_ends_leases = false;
   static bool missing() { return PostgresServer::missing(); }
-  PostgresStores() { restart(); }
-  ~PostgresStores() {
+  PostgresStoresBy() { restart(); }
+  ~PostgresStoresBy() {
     first.reset();
     second.reset();
     PostgresServer::one().drop_database(url);
   }
-  void restart() {
+  void restart(int engine = api::engine_level) {
     first.reset();
     second.reset();
-    const PostgresOptions options{.url = url, .patience = PostgresServer::patient(), .times_of_callers = true};
+    const PostgresOptions options{.url = url,
+                                  .patience = PostgresServer::patient(),
+                                  .session = session,
+                                  .engine = engine,
+                                  .times_of_callers = true};
     first = std::make_unique<PostgresStore>(options);
     second = std::make_unique<PostgresStore>(options);
   }
@@ -47,7 +52,11 @@ struct PostgresStores {
   std::unique_ptr<Store> first, second;
 };
 
-using Stores = testing::Types<SqliteStores, PostgresStores>;
+using PostgresStores = PostgresStoresBy<PostgresSession::own>;
+/// Each transaction sets what it needs, as behind a pooler that gives it another session.
+using PooledStores = PostgresStoresBy<PostgresSession::pooled>;
+
+using Stores = testing::Types<SqliteStores, PostgresStores, PooledStores>;
 struct StoreNames {
   template <class S>
   static std::string GetName(int) {
@@ -63,8 +72,9 @@ struct Conformance : testing::Test {
     here = &stores->one();
     other = &stores->other();
   }
-  void restart() {
-    stores->restart();
+  /// Opens the stores again, as a program with planners of that level.
+  void restart(int engine = api::engine_level) {
+    stores->restart(engine);
     here = &stores->one();
     other = &stores->other();
   }
