@@ -76,7 +76,7 @@ stop_server
 
 # Events of all jobs: each state, progress of those that run, removals; resumed by the last id.
 start_server --workers 1 --event-heartbeat 1
-curl -sSN --max-time 120 -o "$work/stream" "$url/v1/events" &
+curl -sSN --max-time 900 -o "$work/stream" "$url/v1/events" &
 follower=$!
 soon grep -q retry "$work/stream" || fail "the stream begins"
 snake 3000 >"$work/long.json"
