@@ -45,7 +45,7 @@ const loads = [
 
 /** Fails where a canvas of the kind is blank as it is shown. */
 async function expectPictures(page) {
-  const picture = await page.pixels('#kind'), section = await page.locator('#kind').boundingBox(), density = picture.width / section.width;
+  const picture = await page.pixels('#kind', { scale: 'css' }), section = await page.locator('#kind').boundingBox(), density = picture.width / section.width;
   for (const canvas of await page.locator('#kind canvas:not(.above)').all()) {
     const box = await canvas.boundingBox(), label = await canvas.getAttribute('aria-label');
     const part = picture.part(...[box.x - section.x, box.y - section.y, box.width - 1, box.height - 1].map((each) => Math.floor(each * density)));

@@ -186,10 +186,10 @@ export class Visit {
     return `${size}, ${scheme}, ${lang}`;
   }
 
-  /** Returns the pixels of what a selector or locator finds, as shown: png.mjs. */
-  async pixels(target) {
+  /** Returns the pixels of what a selector or locator finds, as shown: png.mjs; with `scale: 'css'` one for each CSS pixel, whatever the screen has. */
+  async pixels(target, options = {}) {
     const locator = typeof target === 'string' ? this.page.locator(target).first() : target;
-    return decode(await locator.screenshot({ animations: 'disabled' }));
+    return decode(await locator.screenshot({ animations: 'disabled', ...options }));
   }
 
   /** Returns {label, blank, sum} of all canvases that are shown and drawn on in two dimensions; `sum` is a number of their pixels that is another one where these are
