@@ -217,13 +217,19 @@ void Workers::run(const api::Job& job) {
     const std::lock_guard lock(mutex_);
     if (interrupted_) live->interrupt = true;
   }
+  // Deadlines are times of the store's clock. Where it is not this machine's, it has said when it gave the job.
+  const auto given = time_.now();
+  const auto time_of_store = [&] {
+    if (!store_.shared() || !job.started_at) return time_.now_ms();
+    return *job.started_at + std::chrono::duration_cast<std::chrono::milliseconds>(time_.now() - given).count();
+  };
   log::info("job_started", {{"job", id}, {"kind", job.request.kind}, {"attempt", job.attempt}});
   JobProgress progress(job, live, most_planning_,
                        {.publish =
                             [&] {
                               if (!store_.shared()) notifier_.changed(id, Change::progress);
                             },
-                        .now_ms = [&] { return time_.now_ms(); },
+                        .now_ms = [&] { return time_of_store(); },
                         .now = [&] { return time_.now(); }});
   const auto never = [] { return false; };
   std::string outcome;

@@ -20,21 +20,22 @@ constexpr std::chrono::seconds searched_for{1};
 
 /// Isolation: READ COMMITTED; SKIP LOCKED gives no row to two. MATERIALIZED is necessary: planned into the update, the
 /// query could lock more rows than its limit. A suspect waits until nothing else runs in the worker's process, and the
-/// others until it has ended. $6 to $8 are the place in the queue after which the search begins. $9 are the jobs that
+/// others until it has ended. $5 to $7 are the place in the queue after which the search begins. $8 are the jobs that
 /// the process has: found by their ids, because `runs` keeps the rows of all that ended since the oldest snapshot.
 std::string claim_statement() {
   return std::string(
-             "WITH next AS MATERIALIZED (SELECT id, suspect FROM jobs WHERE state = 'queued' AND needs <= $5 "
-             "AND (rank, turn, id) > ($6, $7, $8) ORDER BY rank, turn, id LIMIT 1 FOR UPDATE SKIP LOCKED), "
-             "mine AS (SELECT count(*) AS number, coalesce(bool_or(held.suspect), false) AS suspects FROM unnest($9) "
+             "WITH next AS MATERIALIZED (SELECT id, suspect FROM jobs WHERE state = 'queued' AND needs <= $4 "
+             "AND (rank, turn, id) > ($5, $6, $7) ORDER BY rank, turn, id LIMIT 1 FOR UPDATE SKIP LOCKED), "
+             "mine AS (SELECT count(*) AS number, coalesce(bool_or(held.suspect), false) AS suspects FROM unnest($8) "
              "AS m "
              "(id), LATERAL (SELECT suspect FROM runs WHERE runs.id = m.id AND worker = $1 OFFSET 0) AS held), "
-             "job AS (UPDATE jobs SET state = 'running', attempt = attempt + 1, token = token + 1, started_at = $2, "
+             "job AS (UPDATE jobs SET state = 'running', attempt = attempt + 1, token = token + 1, started_at = "
+             "coalesce($2, clock_timestamp()), "
              "revision = revision + 1 FROM next, mine WHERE jobs.id = next.id AND (mine.number = 0 OR NOT "
              "(next.suspect OR mine.suspects)) RETURNING jobs.*), "
              "run AS (INSERT INTO runs (id, token, worker, lease_until, lease_ms, suspect) SELECT id, token, $1, "
-             "CASE WHEN $4 IS NULL THEN 'infinity' ELSE coalesce($3, clock_timestamp()) + $4 * interval '1 ms' END, "
-             "$4, suspect FROM job), "
+             "CASE WHEN $3 IS NULL THEN 'infinity' ELSE coalesce($2, clock_timestamp()) + $3 * interval '1 ms' END, "
+             "$3, suspect FROM job), "
              "told AS (INSERT INTO changes (id, owner) SELECT id, owner FROM job), "
              "counted AS (INSERT INTO count_deltas (state, owner, jobs) SELECT s.state, coalesce(job.owner, ''), "
              "s.jobs FROM job, (VALUES ('queued', -1), ('running', 1)) AS s (state, jobs)) SELECT ")
@@ -154,7 +155,7 @@ std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
   const auto take = [&](const QueuePlace& after) {
     writing([&](PostgresConnection& connection) {
       PostgresParameters values;
-      (values << lease.worker).time(lease.now).time(clock(lease.now)) << length << std::int64_t{options_.engine};
+      (values << lease.worker).time(clock(lease.now)) << length << std::int64_t{options_.engine};
       (values << after.rank << after.turn).uuid(after.id).uuids(given());
       const std::uint64_t known = queue_changes_;
       const auto rows = connection.run(sql, values);

@@ -43,7 +43,7 @@ std::uint64_t PostgresStore::number_changes(PostgresConnection& connection) {
   }
   const auto numbered = connection.run_lengthy(number_all);
   if (numbered.flag(0, 1)) connection.run_lengthy(forget_removals, PostgresParameters() << kept_removals);
-  connection.commit();
+  connection.commit_briefly();
   return static_cast<std::uint64_t>(numbered.integer(0, 0));
 }
 

@@ -4,6 +4,9 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <memory>
+
+#include "server/store/postgres/servers.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -46,11 +49,43 @@ int milliseconds_until(std::chrono::steady_clock::time_point until) {
 
 PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience patience, PostgresSession session)
     : patience_(patience), session_(session), since_(std::chrono::steady_clock::now()) {
-  const auto until = since_ + patience.brief;
-  const std::string seconds = std::to_string(std::max<std::int64_t>(2, patience.brief.count() / 1000));
+  const PostgresServers servers = servers_of(url);
+  std::unique_ptr<pg_conn, decltype(&PQfinish)> readable(nullptr, PQfinish);
+  std::optional<std::int64_t> readable_start;
+  std::string reasons;
+  bool refused = true;
+  for (std::size_t k = 0; k < servers.each.size(); ++k) {
+    try {
+      connect(servers.each[k], since_ + patience.brief * (k + 1) / servers.each.size());
+      wants_to_write_ = servers.written;
+      if (!stopgap()) return;
+      if (readable) {
+        PQfinish(std::exchange(connection_, nullptr));
+        continue;
+      }
+      readable.reset(std::exchange(connection_, nullptr));
+      readable_start = server_start_;
+    } catch (const StoreAway& error) {
+      refused = refused && dynamic_cast<const StoreRefused*>(&error);
+      reasons.append(reasons.empty() ? "" : "; ").append(error.what());
+    }
+  }
+  if (readable) {
+    connection_ = readable.release();
+    read_only_ = true;
+    server_start_ = readable_start;
+  } else if (refused) {
+    throw StoreRefused(reasons);
+  } else {
+    throw StoreAway(reasons);
+  }
+}
+
+void PostgresConnection::connect(const std::string& server, Time until) {
+  const std::string seconds = std::to_string(std::max<std::int64_t>(2, patience_.brief.count() / 1000));
   const char* const words[] = {"dbname",          "fallback_application_name", "connect_timeout",  "client_encoding",
                                "keepalives_idle", "keepalives_interval",       "keepalives_count", nullptr};
-  const char* const values[] = {url.c_str(), "bahnwerk", seconds.c_str(), "UTF8", "10", "5", "3", nullptr};
+  const char* const values[] = {server.c_str(), "bahnwerk", seconds.c_str(), "UTF8", "10", "5", "3", nullptr};
   connection_ = PQconnectStartParams(words, values, 1);
   if (!connection_) throw std::bad_alloc();
   for (PostgresPollingStatusType step = PGRES_POLLING_WRITING; step != PGRES_POLLING_OK;
@@ -82,7 +117,7 @@ PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience 
       throw StoreRefused("the PostgreSQL server has version " + version_text(version) + "; the store needs " +
                          version_text(least_version) + " or later");
     if (session_ == PostgresSession::own)
-      script(session_start);
+      script(session_start, until);
     else
       send({}, until);  // a pooler may answer for a server that is away
   } catch (...) {
@@ -170,10 +205,12 @@ void PostgresConnection::note(const PostgresRows& start) {
 }
 
 void PostgresConnection::begin() {
-  if (session_ == PostgresSession::own) return script("BEGIN");
+  if (session_ == PostgresSession::own) return script("BEGIN", std::chrono::steady_clock::now() + patience_.brief);
   if (!connection_) throw StoreAway("the PostgreSQL server is away");
   note(exchange({&transaction_begin, &transaction_start}, std::chrono::steady_clock::now() + patience_.brief).at(1));
 }
+
+void PostgresConnection::commit_briefly() { script("COMMIT", std::chrono::steady_clock::now() + patience_.brief); }
 
 std::vector<PostgresRows> PostgresConnection::exchange(const std::vector<const PostgresStatement*>& statements,
                                                        Time until) {
@@ -301,7 +338,10 @@ bool PostgresConnection::read_only() const {
 }
 
 void PostgresConnection::script(const std::string& sql) {
-  const Time until = std::chrono::steady_clock::now() + patience_.lengthy;
+  script(sql, std::chrono::steady_clock::now() + patience_.lengthy);
+}
+
+void PostgresConnection::script(const std::string& sql, Time until) {
   if (!connection_) throw StoreAway("the PostgreSQL server is away");
   if (PQsendQuery(connection_, sql.c_str()) == 0) lose(first_line(PQerrorMessage(connection_)));
   pg_result* failed = nullptr;

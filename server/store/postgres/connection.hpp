@@ -49,8 +49,10 @@ class PostgresConnection {
   /// The least version of a server that is used, in its own form: 150000 is 15.0.
   static constexpr int least_version = 150'000;
 
-  /// Connects. Throws StoreAway, or StoreRefused where waiting does not help (password, database, version); no message
-  /// has the password.
+  /// Connects to the first server of the URL that answers, each of which has its share of the time: one that stands
+  /// still does not keep from the next. Where one that can be written is asked for and there is none, it is one that
+  /// can be read (stopgap()). Throws StoreAway, or StoreRefused where waiting does not help with any of them (password,
+  /// database, version); no message has the password.
   explicit PostgresConnection(const std::string& url, PostgresPatience patience = {},
                               PostgresSession session = PostgresSession::own);
   ~PostgresConnection();
@@ -65,8 +67,9 @@ class PostgresConnection {
   std::vector<PostgresRows> run_all_lengthy(const std::vector<PostgresStatement>& statements);
   void script(const std::string& sql);  ///< several statements without parameters
   void begin();
-  void commit() { script("COMMIT"); }
-  void rollback() noexcept;  ///< ends an open transaction, if any
+  void commit() { script("COMMIT"); }  ///< may take as long as a lengthy call
+  void commit_briefly();               ///< after brief calls
+  void rollback() noexcept;            ///< ends an open transaction, if any
 
   /// Waits until the server has sent signals of a channel that was listened to, the descriptor `wake` can be read, or
   /// the time is over; returns the contents of the signals.
@@ -74,6 +77,8 @@ class PostgresConnection {
 
   /// Returns whether the server can only be read, as it has said last.
   bool read_only() const;
+  /// Returns whether one that can be written was asked for, and this one can only be read.
+  bool stopgap() const { return wants_to_write_ && read_only(); }
   bool broken() const;  ///< whether a call has failed in a way after which the connection is of no use
   bool idle();          ///< whether it can take a call: unbroken, without a transaction, not closed by the server
   std::chrono::steady_clock::time_point since() const { return since_; }  ///< when it was made
@@ -82,6 +87,8 @@ class PostgresConnection {
 
  private:
   using Time = std::chrono::steady_clock::time_point;
+  void connect(const std::string& server, Time until);
+  void script(const std::string& sql, Time until);
   std::vector<PostgresRows> send(const std::vector<PostgresStatement>& statements, Time until);
   std::vector<PostgresRows> exchange(const std::vector<const PostgresStatement*>& statements, Time until);
   void note(const PostgresRows& start);
@@ -96,8 +103,9 @@ class PostgresConnection {
   Time since_;
   bool used_ = false;
   std::vector<std::pair<std::string, std::string>> prepared_;  ///< text and name
-  bool read_only_ = false;                                     ///< of a pooled session, as its last transaction found
-  std::optional<std::int64_t> server_start_;                   ///< the same
+  bool wants_to_write_ = false;
+  bool read_only_ = false;                    ///< of a pooled session, as its last transaction found
+  std::optional<std::int64_t> server_start_;  ///< the same
 };
 
 }  // namespace bahnwerk::server

@@ -28,8 +28,13 @@ std::unique_ptr<PostgresConnection> PostgresConnections::take() {
     while (!free_.empty()) {
       auto connection = std::move(free_.back());
       free_.pop_back();
-      if (connection->idle()) return connection;
-      state_.lost();
+      if (!connection->idle()) {
+        state_.lost();
+        continue;
+      }
+      if (!connection->stopgap()) return connection;
+      if (state_.search()) break;  // this caller looks for one that can be written
+      if (state_.now() != StoreState::up) return connection;
     }
   }
   try {
@@ -44,11 +49,13 @@ std::unique_ptr<PostgresConnection> PostgresConnections::take() {
 
 void PostgresConnections::give(std::unique_ptr<PostgresConnection> connection) {
   connection->rollback();
-  const bool good = connection->idle();
+  // Once there is a server that can be written, those that can only be read are left.
+  const bool left = connection->stopgap() && state_.now() == StoreState::up;
+  const bool good = !left && connection->idle();
   if (good) {
     state_.read_only(connection->read_only());
     state_.answered();
-  } else {
+  } else if (!left) {
     state_.lost();
   }
   const std::lock_guard lock(mutex_);

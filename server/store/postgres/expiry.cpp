@@ -37,7 +37,7 @@ std::vector<std::string> PostgresStore::end_late(std::int64_t now) {
           {.id = ids.back(), .from = api::JobState::queued, .to = after_deadline(ids.back()), .now = now}));
     }
     connection.run_all_lengthy(statements);
-    connection.commit();
+    connection.commit_briefly();
   });
   std::vector<Changed> changes;
   for (const std::string& id : ids) changes.push_back({.id = id, .state = api::JobState::failed});
@@ -85,7 +85,7 @@ std::vector<std::string> PostgresStore::lose(std::int64_t now) {
       changes.push_back({.id = id, .state = fate.state});
     }
     connection.run_all_lengthy(statements);
-    connection.commit();
+    connection.commit_briefly();
   });
   publish(changes);
   return ids;

@@ -68,15 +68,25 @@ void PostgresStore::prepare(PostgresConnection& connection) {
   prepared_ = true;
 }
 
-/// Heartbeats are not waited for until they are on the disk: after a crash of the server the revision of a running job
-/// may be below one that clients have seen. So whoever connects first raises it, before it reads anything, where no
-/// heartbeat has come since the server's start; the attempt then counts as renewed at that start.
-void PostgresStore::raise_revisions(PostgresConnection& connection) const {
-  if (!options_.times_of_callers && !connection.read_only())
-    connection.run(
-        "UPDATE runs SET revision = revision + $1, lease_until = pg_postmaster_start_time() + lease_ms * interval "
-        "'1 ms' WHERE lease_until - lease_ms * interval '1 ms' < pg_postmaster_start_time()",
-        PostgresParameters() << lost_leap);
+/// Heartbeats are not waited for until they are on the disk, nor on a standby: after a crash of the server, and after
+/// the promotion of a standby, the revision of a running job may be below one that clients have seen. So whoever
+/// connects first raises it, before it reads anything, where no heartbeat has come since the server's start; the
+/// attempt then counts as renewed at that start. A promotion leaves no time, but a new timeline: each process raises
+/// all revisions once when it meets one. A process that begins knows of the first timeline alone.
+void PostgresStore::raise_revisions(PostgresConnection& connection) {
+  if (options_.times_of_callers) return connection.use();
+  if (connection.read_only()) connection.run("SELECT 1");  // it says whether it has been promoted
+  if (connection.read_only()) return;
+  const std::lock_guard lock(timeline_mutex_);
+  const std::int64_t timeline =
+      connection.run("SELECT ('x' || left(pg_walfile_name(pg_current_wal_insert_lsn()), 8))::bit(32)::int::bigint")
+          .integer(0, 0);
+  connection.run(
+      "UPDATE runs SET revision = revision + $1, lease_until = greatest(lease_until, pg_postmaster_start_time() + "
+      "lease_ms * interval '1 ms') WHERE $2 <> $3 OR lease_until - lease_ms * interval '1 ms' < "
+      "pg_postmaster_start_time()",
+      PostgresParameters() << lost_leap << timeline << timeline_);
+  timeline_ = timeline;
   connection.use();
 }
 

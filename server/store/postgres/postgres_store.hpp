@@ -150,7 +150,7 @@ class PostgresStore final : public Store {
     return options_.times_of_callers ? std::optional(now) : std::nullopt;
   }
   void prepare(PostgresConnection& connection);
-  void raise_revisions(PostgresConnection& connection) const;
+  void raise_revisions(PostgresConnection& connection);
   void publish(const std::vector<Changed>& changes);
   void forget(const Attempt& attempt);  ///< the attempt is over
   std::vector<std::string> given();     ///< returns the jobs of given_
@@ -182,6 +182,8 @@ class PostgresStore final : public Store {
   PostgresServerState state_;
   PostgresServerState listen_state_;                      ///< of the server of `listen_url`, where there is one
   PostgresConnections connections_, leases_, listeners_;  ///< heartbeats do not wait for others
+  std::mutex timeline_mutex_;
+  std::int64_t timeline_ = 1;  ///< the server's, as this process has met it last; guarded by timeline_mutex_
   std::mutex prepare_mutex_;
   std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;

@@ -9,6 +9,13 @@
 #include "server/store/unpacking.hpp"
 
 namespace bahnwerk::server {
+namespace {
+
+/// A standby may be behind the server that clients have asked before. What it says of a job that has not ended, or of
+/// one that it does not know, may be older than what they have seen.
+[[noreturn]] void refuse_running() { throw StoreReadOnly("the store can be read only: only what has ended is known"); }
+
+}  // namespace
 
 std::optional<api::Job> PostgresStore::get(const std::string& id, bool with_document) {
   static const std::string light = std::string("SELECT ")
@@ -21,9 +28,14 @@ std::optional<api::Job> PostgresStore::get(const std::string& id, bool with_docu
               ", s.document, j.callback_secret FROM jobs AS j LEFT JOIN runs AS r ON r.id = j.id "
               "JOIN specs AS s ON s.id = j.id WHERE j.id = $1");
   return reading([&](PostgresConnection& connection) -> std::optional<api::Job> {
+    const bool behind = connection.read_only();
     const auto rows = connection.run(with_document ? whole : light, PostgresParameters().uuid(id));
-    if (rows.empty()) return std::nullopt;
+    if (rows.empty()) {
+      if (behind) refuse_running();
+      return std::nullopt;
+    }
     api::Job job = job_from(rows, 0);
+    if (behind && !job.finished_at) refuse_running();
     if (!with_document) return job;
     job.request.document = unpacking([&] { return unpack_text(rows.bytes(0, postgres_job_column_count)); });
     if (job.request.callback) job.request.callback->secret = rows.optional_text(0, postgres_job_column_count + 1);
@@ -33,6 +45,7 @@ std::optional<api::Job> PostgresStore::get(const std::string& id, bool with_docu
 
 std::vector<Running> PostgresStore::running() {
   const auto rows = reading([](PostgresConnection& connection) {
+    if (connection.read_only()) refuse_running();
     return connection.run(
         "SELECT r.id, greatest(j.revision, r.revision) FROM runs AS r JOIN jobs AS j ON j.id = r.id ORDER BY r.id");
   });

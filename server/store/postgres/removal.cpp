@@ -60,7 +60,7 @@ Removed PostgresStore::remove(const std::string& id, const std::function<bool(co
       if (job.state != api::JobState::running && !condition(job)) return Removed::refused;
     }
     const auto rows = connection.run_all({lock_of(id), removal_of(id)});
-    if (condition) connection.commit();
+    if (condition) connection.commit_briefly();
     leftovers = rows[1].flag(0, 1);
     return rows[0].empty() ? Removed::unknown : rows[1].integer(0, 0) == 1 ? Removed::yes : Removed::running;
   });

@@ -13,7 +13,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds least_delay{100}, most_delay{10'000};
 constexpr milliseconds attempt_time{2'000};  ///< after which another thread may try, if nothing is heard of an attempt
-constexpr std::chrono::seconds between_lines{1};
+constexpr std::chrono::seconds between_lines{1}, between_searches{1};
 
 }  // namespace
 
@@ -47,6 +47,14 @@ void PostgresServerState::connected(bool read_only) {
 void PostgresServerState::read_only(bool value) {
   const std::lock_guard lock(mutex_);
   if (state_ != StoreState::away) enter(value ? StoreState::read_only : StoreState::up);
+}
+
+bool PostgresServerState::search() {
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  if (state_ != StoreState::read_only || now < searched_ + between_searches) return false;
+  searched_ = now;
+  return true;
 }
 
 void PostgresServerState::failed(const std::string& why) {
@@ -91,6 +99,7 @@ std::optional<milliseconds> PostgresServerState::since_outage() const {
 
 void PostgresServerState::enter(StoreState state) {
   if (state == state_) return;
+  if (state_ == StoreState::read_only) outage(Clock::now());  // nobody could renew a lease meanwhile
   state_ = state;
   log::info(name_ + (state == StoreState::read_only ? "_read_only" : "_up"));
 }

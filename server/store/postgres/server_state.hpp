@@ -27,10 +27,13 @@ class PostgresServerState {
   void connected(bool read_only);       ///< a connection was made
   void failed(const std::string& why);  ///< none could be made; logged once a second at most
   void read_only(bool value);           ///< the server has said so over a connection
-  void lost();                          ///< a connection was lost
+  /// Returns whether to look for a server that can be written, where this one can only be read: for one caller, once
+  /// a second.
+  bool search();
+  void lost();      ///< a connection was lost
   void answered();  ///< a call was answered; where none was for longer than `silence`, that was an outage
 
-  /// Returns how long the server has been there for this process without a gap.
+  /// Returns how long the server has been there for this process, to be written, without a gap.
   std::chrono::milliseconds unbroken() const;
   /// Returns the time since the end of the last outage; nullopt if the process has seen none. Its start is none.
   std::optional<std::chrono::milliseconds> since_outage() const;
@@ -45,7 +48,7 @@ class PostgresServerState {
   StoreState state_ = StoreState::away;
   int failures_ = 0;
   bool outage_ = false;  ///< whether there was one
-  Clock::time_point next_attempt_{}, logged_{}, unbroken_since_ = Clock::now(), answered_{};
+  Clock::time_point next_attempt_{}, searched_{}, logged_{}, unbroken_since_ = Clock::now(), answered_{};
 };
 
 }  // namespace bahnwerk::server

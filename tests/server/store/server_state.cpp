@@ -58,5 +58,25 @@ TEST(PostgresServerState, SilenceIsAnOutageAndTheStartOfTheProcessIsNone) {
   EXPECT_TRUE(patient.since_outage());
 }
 
+TEST(PostgresServerState, WhereItCouldOnlyBeReadThatWasAnOutage) {
+  PostgresServerState state(5min);
+  state.connected(true);
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(state.since_outage());
+  state.read_only(false);
+  ASSERT_TRUE(state.since_outage()) << "no lease could be renewed";
+  EXPECT_LE(*state.since_outage(), state.unbroken());
+}
+
+TEST(PostgresServerState, OneCallerLooksForAServerThatCanBeWritten) {
+  PostgresServerState state(5min);
+  EXPECT_FALSE(state.search()) << "none is there";
+  state.connected(true);
+  EXPECT_TRUE(state.search());
+  EXPECT_FALSE(state.search()) << "not sooner than a second later";
+  state.connected(false);
+  EXPECT_FALSE(state.search()) << "it is found";
+}
+
 }  // namespace
 }  // namespace bahnwerk::server

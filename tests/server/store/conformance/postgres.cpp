@@ -264,6 +264,34 @@ TEST_F(PostgresOnly, RevisionsLeapOnceWhereACrashMayHaveUndoneHeartbeats) {
   EXPECT_EQ(revision(attempt), raised + 1) << "nothing can have been undone";
 }
 
+TEST_F(PostgresOnly, AServerThatCanOnlyBeReadStandsInForOneThatCanBeWritten) {
+  const std::string ended = insert_id(stores->one());
+  stores->one().cancel(ended, 100);
+  const std::string waiting = insert_id(stores->one());
+  const std::size_t host = stores->url.find("host=") + 5;
+  std::string url = stores->url + "&target_session_attrs=read-write";
+  url.insert(host, "/nowhere,");
+  const auto set = [&](const std::string& what) {
+    run("BEGIN READ WRITE; ALTER DATABASE " + stores->url.substr(stores->url.rfind('=') + 1) + " " + what + "; COMMIT");
+  };
+  set("SET default_transaction_read_only = on");
+  PostgresStore store({.url = url, .patience = PostgresServer::patient()});
+  EXPECT_EQ(store.state(), StoreState::read_only);
+  EXPECT_EQ(store.get(ended, false)->state, api::JobState::cancelled);
+  EXPECT_THROW(store.get(waiting, false), StoreReadOnly) << "another server may have told more of it";
+  EXPECT_THROW(store.get("01890000-0000-7000-8000-000000000000", false), StoreReadOnly) << "it may be newer";
+  EXPECT_THROW(store.running(), StoreReadOnly);
+  EXPECT_THROW(store.claim({"w", 1, 2}), StoreReadOnly);
+  set("RESET default_transaction_read_only");
+  while (store.state() != StoreState::up) try {
+      store.get(waiting, false);
+    } catch (const StoreReadOnly&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  EXPECT_EQ(store.get(waiting, false)->state, api::JobState::queued);
+  EXPECT_TRUE(store.claim({"w", 1, 2}));
+}
+
 TEST_F(PostgresOnly, APooledSessionKeepsNothingAndPreparesNothing) {
   PostgresConnection connection(stores->url, PostgresServer::patient(), PostgresSession::pooled);
   const auto shown = [&](const char* setting) {
