@@ -1,6 +1,7 @@
 """A service of its own for tests: started on a free port, asked, killed and started again with the same store."""
 import http.client
 import json
+import os
 import pathlib
 import shutil
 import socket
@@ -22,7 +23,7 @@ class Service:
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
-        self.process = None
+        self.process, self.environment = None, {}  # variables beside the test's own
 
     def __enter__(self):
         self.start()
@@ -39,7 +40,7 @@ class Service:
         with open(self.folder / "log", "ab") as log:
             self.process = subprocess.Popen(
                 [self.binary, "serve", "--listen", f"127.0.0.1:{self.port}", "--store", self.url, *self.arguments],
-                stdout=subprocess.DEVNULL, stderr=log)
+                stdout=subprocess.DEVNULL, stderr=log, env=os.environ | self.environment)
         while True:
             try:
                 if self.ask("GET", "/readyz")[0] == 200:

@@ -5,6 +5,7 @@
 
 Stubs take the place of the processes. Exit 77: no proxy is installed.
 """
+import contextlib
 import http.client
 import pathlib
 import shutil
@@ -18,6 +19,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RESTS = {"nginx": 2.5, "caddy": 0}  # s, longer than a process that failed is left alone: nginx counts whole seconds, Caddy asks for /healthz
+PATH = "/usr/sbin:/usr/bin:/sbin:/bin"
 MANY = 8  # requests, of which some come to each
 
 
@@ -115,75 +117,98 @@ def answers(port):
         return False
 
 
-def check(name, configure):
-    stubs, port = [Stub("one"), Stub("two")], free_port()
-    folder = pathlib.Path(tempfile.mkdtemp(prefix="bahnwerk-proxy-"))
-    environment = {"XDG_DATA_HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "HOME": str(folder), "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}
+@contextlib.contextmanager
+def proxy(name, ports):
+    """Gives the port of the proxy before these ports, when it answers."""
+    port, folder = free_port(), pathlib.Path(tempfile.mkdtemp(prefix="bahnwerk-proxy-"))
+    environment = {"XDG_DATA_HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "HOME": str(folder), "PATH": PATH}
     with open(folder / "out", "wb") as out:
-        process = subprocess.Popen(configure(folder, port, [stub.port for stub in stubs]), stdout=out, stderr=out, env=environment)
+        process = subprocess.Popen(CONFIGURES[name](folder, port, ports), stdout=out, stderr=out, env=environment)
     try:
         until(lambda: answers(port) or process.poll() is not None, f"{name} answers")
         expect(process.poll() is None, f"{name} does not start: {(folder / 'out').read_text()[-2000:]}")
-
-        # No stickiness: requests of one client come to both.
-        until(lambda: {ask(port, "GET")[2] for _ in range(8)} == {"one", "two"}, "both are asked")
-
-        # An event comes before the stream's end.
-        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
-        connection.request("GET", "/v1/events", headers={"Host": f"127.0.0.1:{port}"})
-        stream = connection.getresponse()
-        expect(stream.readline() == b"event: state\n", "the first event")
-        for stub in stubs:
-            stub.go_on.set()
-        expect(b"event: end" in stream.read(), "the rest of the stream")
-        connection.close()
-
-        # Both take requests and break off: each is tried with what may be carried out twice, one alone with a POST.
-        for method, body, expected in (("GET", None, 2), ("DELETE", None, 2), ("POST", b"{}", 1)):
-            for broken in stubs, stubs[:1]:
-                time.sleep(RESTS[name])
-                for stub in stubs:
-                    stub.breaks = stub in broken
-                    stub.seen.clear()
-                if len(broken) == 2:
-                    status, headers, _ = ask(port, method, body=body)
-                    expect(status == 503 and "Retry-After" in headers, f"{name}, {method}, both break off: {status} {headers}")
-                    asked = sum(len(stub.seen) for stub in stubs)
-                    expect(asked == expected, f"{name}, {method}, both break off: {asked} attempts")
-                else:
-                    statuses = [ask(port, method, body=body)[0] for _ in range(MANY)]
-                    repeated = len(stubs[0].seen) + len(stubs[1].seen) - MANY
-                    expect(len(stubs[0].seen) >= 1, f"{name}, {method}: the one that breaks off is not asked")
-                    if expected == 2:
-                        expect(statuses == [200] * MANY and repeated == len(stubs[0].seen), f"{name}, {method}, one breaks off: {statuses}, {repeated} repeated")
-                    else:
-                        expect(repeated == 0 and set(statuses) == {200, 503}, f"{name}, {method}, one breaks off: {statuses}, {repeated} repeated")
-
-        # Beside a process that is gone, clients that repeat what gets 503 lose nothing; then nothing goes there any more.
-        time.sleep(RESTS[name])
-        stubs[0].breaks = False
-        stubs[0].shutdown()
-        stubs[0].server_close()
-
-        def posts():
-            answers = [ask(port, "POST", body=b"{}") for _ in range(MANY)]
-            expect(all(status == 200 or (status == 503 and "Retry-After" in headers) for status, headers, _ in answers), f"{name}: a POST beside a process that is gone: {answers}")
-            return [body for _, _, body in answers] == ["two"] * MANY
-
-        until(posts, f"{name} leaves a process alone that is gone")
-        print(f"{name}: two processes", flush=True)
+        yield port
     finally:
         process.terminate()
         process.wait()
-        for stub in stubs:
-            stub.server_close()
         shutil.rmtree(folder, ignore_errors=True)
 
 
+def check(name):
+    stubs = [Stub("one"), Stub("two")]
+    try:
+        with proxy(name, [stub.port for stub in stubs]) as port:
+            check_through(name, port, stubs)
+        print(f"{name}: two processes", flush=True)
+    finally:
+        for stub in stubs:
+            stub.server_close()
+
+
+def check_through(name, port, stubs):
+    # No stickiness: requests of one client come to both.
+    until(lambda: {ask(port, "GET")[2] for _ in range(8)} == {"one", "two"}, "both are asked")
+
+    # An event comes before the stream's end.
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
+    connection.request("GET", "/v1/events", headers={"Host": f"127.0.0.1:{port}"})
+    stream = connection.getresponse()
+    expect(stream.readline() == b"event: state\n", "the first event")
+    for stub in stubs:
+        stub.go_on.set()
+    expect(b"event: end" in stream.read(), "the rest of the stream")
+    connection.close()
+
+    # Both take requests and break off: each is tried with what may be carried out twice, one alone with a POST.
+    for method, body, expected in (("GET", None, 2), ("DELETE", None, 2), ("POST", b"{}", 1)):
+        for broken in stubs, stubs[:1]:
+            time.sleep(RESTS[name])
+            for stub in stubs:
+                stub.breaks = stub in broken
+                stub.seen.clear()
+            if len(broken) == 2:
+                status, headers, _ = ask(port, method, body=body)
+                expect(status == 503 and "Retry-After" in headers, f"{name}, {method}, both break off: {status} {headers}")
+                asked = sum(len(stub.seen) for stub in stubs)
+                expect(asked == expected, f"{name}, {method}, both break off: {asked} attempts")
+            else:
+                statuses = [ask(port, method, body=body)[0] for _ in range(MANY)]
+                repeated = len(stubs[0].seen) + len(stubs[1].seen) - MANY
+                expect(len(stubs[0].seen) >= 1, f"{name}, {method}: the one that breaks off is not asked")
+                if expected == 2:
+                    expect(statuses == [200] * MANY and repeated == len(stubs[0].seen), f"{name}, {method}, one breaks off: {statuses}, {repeated} repeated")
+                else:
+                    expect(repeated == 0 and set(statuses) == {200, 503}, f"{name}, {method}, one breaks off: {statuses}, {repeated} repeated")
+
+    # Beside a process that is gone, clients that repeat what gets 503 lose nothing; then nothing goes there any more.
+    time.sleep(RESTS[name])
+    stubs[0].breaks = False
+    stubs[0].shutdown()
+    stubs[0].server_close()
+
+    def posts():
+        answers = [ask(port, "POST", body=b"{}") for _ in range(MANY)]
+        expect(all(status == 200 or (status == 503 and "Retry-After" in headers) for status, headers, _ in answers), f"{name}: a POST beside a process that is gone: {answers}")
+        return [body for _, _, body in answers] == ["two"] * MANY
+
+    until(posts, f"{name} leaves a process alone that is gone")
+
+
 CONFIGURES = {"nginx": nginx, "caddy": caddy}
-found = [name for name in sys.argv[1:] or CONFIGURES if shutil.which(name, path="/usr/sbin:/usr/bin:/sbin:/bin")]
-if not found:
-    print("its proxies are not installed")
-    sys.exit(77)
-for name in found:
-    check(name, CONFIGURES[name])
+
+
+def installed(names):
+    return [name for name in names if shutil.which(name, path=PATH)]
+
+
+def main():
+    found = installed(sys.argv[1:] or CONFIGURES)
+    if not found:
+        print("its proxies are not installed")
+        sys.exit(77)
+    for name in found:
+        check(name)
+
+
+if __name__ == "__main__":
+    main()

@@ -257,21 +257,48 @@ def serves_without_rights(plant):
         service.__exit__()
 
 
+# What a later version makes of the schema, which this one may still use.
+LATER_SCHEMA = ("ALTER TABLE bahnwerk.jobs ADD COLUMN later text DEFAULT 'x'; ALTER TABLE bahnwerk.runs ADD COLUMN later text; CREATE TABLE bahnwerk.later (id uuid PRIMARY KEY); "
+                "INSERT INTO bahnwerk.schema_version SELECT max(version) + 1, max(min_reader) FROM bahnwerk.schema_version")
+
+
 def two_versions(plant):
-    """What a later version has taken waits for its planners; a trigger plays that version."""
+    """A later version changes the schema while this one serves. What it has taken waits for its planners; a trigger plays it."""
     database, one = plant.database, plant.apis[0]
+    plant.load(lambda: database.ask(LATER_SCHEMA))
+    for each in plant.all():
+        plant.load(lambda each=each: (expect(each.stop() == 0, "an orderly end"), launch(each)))
     beyond = lambda number: all(f"bahnwerk_queue_beyond_engine {number}\n" in each.ask("GET", "/metrics")[2].decode() for each in plant.all())
-    database.ask("CREATE FUNCTION bahnwerk.later() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN NEW.needs = 1000; RETURN NEW; END'; "
+    database.ask("CREATE FUNCTION bahnwerk.later() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN NEW.needs = 1000; NEW.kind = ''spiral''; RETURN NEW; END'; "
                  "CREATE TRIGGER later BEFORE INSERT ON bahnwerk.jobs FOR EACH ROW EXECUTE FUNCTION bahnwerk.later()")
-    later = one.post(DOCUMENTS[0])
+    later, cancelled = one.post(DOCUMENTS[0]), one.post(DOCUMENTS[0])
     database.ask("DROP TRIGGER later ON bahnwerk.jobs; DROP FUNCTION bahnwerk.later")
     for _ in range(3):
         expect(ended(one, one.post(DOCUMENTS[0]))["state"] == "succeeded", "others are planned")
     expect(one.json(f"/v1/jobs/{later}")["state"] == "queued", "it waits")
-    expect(beyond(1), "all processes tell of it")
-    database.ask("UPDATE bahnwerk.jobs SET needs = 0 WHERE state = 'queued'")
+    expect(beyond(2), "all processes tell of it")
+    for path in (f"/v1/jobs/{later}", "/v1/jobs?kind=spiral", f"/jobs/{later}", "/"):
+        code, _, body = plant.apis[1].ask("GET", path)
+        expect(code == 200, f"{path}, where a job of a kind is that this version does not know, answers {code}: {body[:300]}")
+    expect(one.ask("POST", f"/v1/jobs/{cancelled}/cancel")[0] == 202, "it can be cancelled")
+    database.ask("UPDATE bahnwerk.jobs SET needs = 0, kind = 'contour' WHERE state = 'queued'")
     expect(ended(one, later)["state"] == "succeeded", "it is planned by one that can")
     expect(beyond(0), "none is left")
+
+
+def begun_by_a_later_version(plant):
+    """The later version was there first. When it needs what this one does not know, this one does not start any more, and what runs goes on."""
+    database = plant.database
+    database.ask("CREATE DATABASE later", "postgres")
+    url = database.url.replace("/bahnwerk?", "/later?")
+    expect(os.spawnv(os.P_WAIT, plant.binary, [plant.binary, "migrate", "--store", url]) == 0, "the schema is made")
+    database.ask(LATER_SCHEMA, "later")
+    with Service(plant.binary, "--workers", "1", url=url) as service, Service(plant.binary, "--workers", "1", url=url) as refused:
+        expect(service.wait(service.post(DOCUMENTS[0]))["state"] == "succeeded", "a job")
+        expect(refused.stop() == 0, "an orderly end")
+        database.ask("UPDATE bahnwerk.schema_version SET min_reader = version", "later")
+        launch_refused(refused, "it does not know the schema")
+        expect(service.wait(service.post(DOCUMENTS[0]))["state"] == "succeeded", "another job")
 
 
 def standby(plant):
@@ -301,7 +328,7 @@ def main():
     with Database() as database:
         plant = Plant(sys.argv[1], database)
         try:
-            for fault in (begins_without_its_server, refusals, shows_what_others_do, kills, server_restarts, server_stands_still, paused_worker, two_versions, serves_without_rights, standby):
+            for fault in (begins_without_its_server, refusals, shows_what_others_do, kills, server_restarts, server_stands_still, paused_worker, two_versions, begun_by_a_later_version, serves_without_rights, standby):
                 say(fault.__name__.replace("_", " "))
                 fault(plant)
                 plant.ready()

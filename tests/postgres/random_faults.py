@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
-"""Random faults under load: two processes that serve and three that plan share a PostgreSQL server.
+"""Random faults under load: two processes that serve and three that plan share a PostgreSQL server, which a synchronous standby follows.
 
-    tests/postgres/random_faults.py BINARY [--faults 20] [--seed 1] [--only KIND,…]
+    tests/postgres/random_faults.py BINARY [--faults 20] [--seed 1] [--only KIND,…] [--first KIND,…]
 
 Clients post, ask and follow events all the time, from one process and the other in turn. After each fault: nothing that was acknowledged is lost, each job has
 one result, of the attempt that ended it, no attempt outlasts its lease, no job is `worker-lost`, and each client has seen revisions and ids of events only grow.
-The same seed gives the same faults. At the end a table of their kinds. Exit 77: there is no server.
+The same seed gives the same faults. At the end a table of their kinds. Disks are filled as root alone, clocks are stepped where Debian's package libfaketime is.
+Exit 77: there is no server.
 """
 import argparse
 import collections
 import contextlib
+import datetime
 import http.client
 import json
 import pathlib
@@ -22,14 +24,18 @@ import time
 import uuid
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "crash"))
-from database import Database, programs, until  # noqa: E402
+from database import Database, begin_with_own_mounts, programs, until  # noqa: E402
 from service import Service, example, half_circles  # noqa: E402
 from wire import Wire  # noqa: E402
 
 LEASE = 30
 FINAL = ("succeeded", "failed", "cancelled")
-DOCUMENTS = [json.dumps(each) for each in (example("line"), half_circles(40), half_circles(150), half_circles(4_000))]
+DOCUMENTS = (example("line"), half_circles(40), half_circles(150), half_circles(4_000))
 WEIGHTS = (8, 8, 8, 1)
+CLOCKS = ("-3600", "+0", "+3600")  # what is added to the clock of a process, s
+FAKETIME = next(pathlib.Path("/usr/lib").glob("*/faketime/libfaketimeMT.so.1"), None)
+# A log that is short, but long enough for a standby that stood still; a standby looks for its server again at once.
+SETTINGS = "-c fsync=off -c max_connections=100 -c min_wal_size=32MB -c max_wal_size=96MB -c wal_keep_size=128MB -c wal_retrieve_retry_interval=100ms"
 PATIENCE = 5  # of clients, s
 
 
@@ -65,8 +71,9 @@ class Client(threading.Thread):
         except OSError:
             self.plant.over.wait(0.05)
             return None
-        if code == 503:
-            expect(head["Retry-After"], f"{method} {path} answers 503 without Retry-After")
+        if code == 503 or (code == 507 and method == "POST" and self.plant.full):
+            expect(head["Retry-After"], f"{method} {path} answers {code} without Retry-After")
+            self.plant.count(f"answers {code}")
             self.plant.over.wait(0.1)
             return None
         return code, head, body
@@ -78,7 +85,9 @@ class Poster(Client):
             self.plant.over.wait(0.1)
             return
         key = str(uuid.UUID(int=self.choose.getrandbits(128)))
-        document = self.choose.choices(DOCUMENTS, WEIGHTS)[0]
+        document = dict(self.choose.choices(DOCUMENTS, WEIGHTS)[0])
+        if self.choose.random() < 0.5:  # far enough for all of them, but not by every clock
+            document["deadline"] = (datetime.datetime.utcnow() + datetime.timedelta(seconds=1200)).isoformat(timespec="seconds") + "Z"
         answer = None
         while answer is None and not self.plant.over.is_set():
             answer = self.ask("POST", "/v1/jobs", document, {"Idempotency-Key": key})
@@ -164,17 +173,21 @@ class Follower(Client):
 
 
 class Plant:
-    def __init__(self, binary, database, stack, seed):
-        self.database, self.choose = database, random.Random(seed)
+    def __init__(self, binary, database, standby, stack, seed):
+        self.database, self.standby, self.choose = database, standby, random.Random(seed)
         self.over, self.lock, self.failure = threading.Event(), threading.Lock(), None
-        self.jobs, self.open, self.counts = [], set(), collections.Counter()
-        self.wires, self.log, self.longest, self.snapshot = {}, [], 0.0, None
+        self.jobs, self.open, self.last_ended, self.counts = [], set(), None, collections.Counter()
+        self.wires, self.longest, self.snapshot, self.full, self.first_writes = {}, 0.0, None, False, []
         self.outage = time.monotonic()  # end of the last one of the server, or of anything between
 
         def made(*arguments):
-            wire = stack.enter_context(Wire(database.folder))
+            wire = stack.enter_context(Wire(database.folder, standby.folder))
             service = Service(binary, *arguments, url=wire.url())
             stack.callback(service.__exit__)
+            if FAKETIME:
+                self.set_clock(service, "+0")
+                service.environment = {"LD_PRELOAD": str(FAKETIME), "FAKETIME_TIMESTAMP_FILE": str(service.folder / "clock"), "FAKETIME_CACHE_DURATION": "1",
+                                       "FAKETIME_DONT_FAKE_MONOTONIC": "1", "DONT_FAKE_MONOTONIC": "1"}
             self.wires[service] = wire
             return service
 
@@ -205,6 +218,7 @@ class Plant:
     def ended(self, id):
         with self.lock:
             self.open.discard(id)
+            self.last_ended = id
 
     def waiting(self):
         with self.lock:
@@ -320,6 +334,97 @@ class Plant:
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **self.database.user)
         self.rest(0, 1)
 
+    @staticmethod
+    def set_clock(service, offset):
+        """What the process takes for the time of day, at the latest a second later."""
+        new = service.folder / "clock.new"
+        new.write_text(offset + "\n")
+        new.replace(service.folder / "clock")
+
+    def step_clocks(self):
+        for each in self.choose.sample(self.all(), self.choose.choice((1, 2, 5))):
+            self.set_clock(each, self.choose.choice(CLOCKS))
+        self.rest(2, 4)
+
+    def begin_with_another_clock(self):
+        each = self.choose.choice(self.all())
+        each.kill()
+        self.set_clock(each, self.choose.choice(CLOCKS))
+        launch(each)
+
+    def fill_disk(self):
+        self.full = True
+        self.database.disks[0].fill()
+        until(lambda: self.failure or any(self.post(each) == 507 for each in self.apis), "a post is refused")
+        self.rest(0, LEASE + 8 if self.choose.random() < 0.2 else 8)
+        self.end_of_full_disk(self.database.disks[0])
+
+    def fill_disk_of_log(self):
+        """The server ends when its log cannot grow."""
+        self.full = True
+        self.database.disks[1].fill()
+        try:
+            while True:
+                self.database.ask("SELECT count(pg_logical_emit_message(false, 'filled', repeat('x', 1000000))) FROM generate_series(1, 4)")
+        except SystemExit:
+            self.rest(0, 4)
+        self.end_of_full_disk(self.database.disks[1])
+
+    def end_of_full_disk(self, disk):
+        disk.free()
+        until(self.begun, "the server is there again")
+        self.outage = time.monotonic()
+
+    def begun(self):
+        """Whether the server answers; where it has ended, also while it tried to begin again, it is started."""
+        try:
+            if not self.database.lives():
+                self.database.kill()
+                self.database.start()
+            return self.database.ask("SELECT 1") == "1"
+        except SystemExit:
+            return False
+
+    def pause_standby(self):
+        """Nothing is committed meanwhile."""
+        self.standby.pause()
+        self.rest(1, 8)
+        self.standby.resume()
+        self.outage = time.monotonic()
+
+    def promote_standby(self):
+        """The server ends, or stands still for good; meanwhile the standby serves what has ended. Then it takes the server's place, which is made its standby."""
+        old, new = self.database, self.standby
+        until(lambda: old.ask("SELECT count(*) FROM pg_stat_replication WHERE sync_state = 'sync'") == "1", "the standby follows")
+        until(lambda: self.failure or self.last_ended, "a job has ended")
+        self.choose.choice((lambda: old.stop("fast"), lambda: old.stop("immediate"), old.pause))()
+        until(lambda: self.failure or any(self.read_only(each) for each in self.apis), "a job that has ended is read from the standby")
+        self.rest(0, 6)
+        new.promote()
+        promoted = time.monotonic()
+        self.database, self.standby = new, old
+        until(lambda: self.failure or any(self.post(each) == 202 for each in self.apis), "a job is posted after the promotion")
+        self.first_writes.append(time.monotonic() - promoted)
+        old.kill()
+        old.follow_synchronously(new)
+        self.outage = time.monotonic()
+
+    def read_only(self, service):
+        try:
+            code, headers, body = service.ask("GET", f"/v1/jobs/{self.last_ended}", timeout=PATIENCE)
+        except OSError:
+            return False
+        return code == 200 and headers["Bahnwerk-Store"] == "read-only" and json.loads(body)["state"] == "succeeded"
+
+    def post(self, service):
+        try:
+            code, _, body = service.ask("POST", "/v1/jobs", DOCUMENTS[0], timeout=PATIENCE)
+        except OSError:
+            return None
+        if code == 202:
+            self.accepted(json.loads(body)["id"])
+        return code
+
     # What holds.
 
     def check(self):
@@ -327,11 +432,14 @@ class Plant:
         before = len(self.jobs), self.counts["polls"], self.counts["events"]
         until(lambda: self.failure or (len(self.jobs) >= before[0] + 3 and self.counts["polls"] > before[1] and self.counts["events"] > before[2]), "the load goes on")
         expect(not self.failure, self.failure)
+        self.full = False
         with self.lock:
             known = list(self.jobs)
         ask = self.database.ask
-        expect(ask("SELECT count(*) FROM unnest('{" + ",".join(known) + "}'::uuid[]) AS known (id) LEFT JOIN bahnwerk.jobs USING (id) WHERE jobs.id IS NULL") == "0",
-               "nothing that was acknowledged is lost")
+        at_once = 2_000  # what the system takes as an argument
+        for some in (known[k:k + at_once] for k in range(0, len(known), at_once)):
+            expect(ask("SELECT count(*) FROM unnest('{" + ",".join(some) + "}'::uuid[]) AS known (id) LEFT JOIN bahnwerk.jobs USING (id) WHERE jobs.id IS NULL") == "0",
+                   "nothing that was acknowledged is lost")
         expect(ask("SELECT count(*) FROM bahnwerk.jobs AS j LEFT JOIN bahnwerk.results AS r USING (id) WHERE (state = 'succeeded' AND r.token IS DISTINCT FROM j.token) "
                    "OR (state <> 'succeeded' AND r.id IS NOT NULL)") == "0", "each job has the result of the attempt that ended it")
         expect(ask("SELECT count(*) FROM bahnwerk.jobs WHERE error LIKE '%worker-lost%'") == "0", "no job ends as worker-lost")
@@ -345,7 +453,9 @@ class Plant:
 
     KINDS = (kill_api, kill_worker, kill_all_workers, restart_orderly, pause_api, pause_worker, pause_worker_beyond_its_lease, pause_server,
              pause_server_beyond_leases, restart_server_orderly, crash_server, end_sessions, cut, cut_off, hold_what_is_sent, delay_what_is_sent,
-             part_commits_from_answers, hold_a_snapshot)
+             part_commits_from_answers, hold_a_snapshot, pause_standby, promote_standby)
+    OF_CLOCKS = (step_clocks, begin_with_another_clock)
+    OF_DISKS = (fill_disk, fill_disk_of_log)
     SELDOM = (pause_worker_beyond_its_lease, pause_server_beyond_leases, kill_all_workers)
 
 
@@ -370,25 +480,38 @@ def main():
     words.add_argument("--faults", type=int, default=20)
     words.add_argument("--seed", type=int, default=1)
     words.add_argument("--only", default="", help="kinds, with commas between")
+    words.add_argument("--first", default="", help="kinds that come once each before those that are drawn")
     words.add_argument("--load", type=int, default=2, help="clients of each sort")
     words = words.parse_args()
     if not programs():
         print("its server is not installed")
         sys.exit(77)
-    kinds = [kind for kind in Plant.KINDS if not words.only or kind.__name__ in words.only.split(",")]
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what was started is ended
+    mounts = begin_with_own_mounts()
+    kinds = list(Plant.KINDS)
+    for more, there, why in ((Plant.OF_CLOCKS, FAKETIME, "libfaketime is not installed"), (Plant.OF_DISKS, mounts, "nothing can be mounted")):
+        if there:
+            kinds += more
+        else:
+            print(f"without {', '.join(kind.__name__.replace('_', ' ') for kind in more)}: {why}", flush=True)
+    first = [kind for kind in kinds if kind.__name__ in words.first.split(",")]
+    kinds = [kind for kind in kinds if not words.only or kind.__name__ in words.only.split(",")]
     weights = [1 if kind in Plant.SELDOM else 3 for kind in kinds]
     done = collections.Counter()
-    with Database() as database, contextlib.ExitStack() as stack:
+    disks = {"megabytes": 2048} if mounts else {}
+    with Database(**disks) as database, Database(**disks) as standby, contextlib.ExitStack() as stack:
+        database.settings = standby.settings = SETTINGS
         database.make()
         database.start()
         database.ask("CREATE DATABASE bahnwerk", "postgres")
-        plant = Plant(words.binary, database, stack, words.seed)
+        standby.follow_synchronously(database)
+        plant = Plant(words.binary, database, standby, stack, words.seed)
         clients = [made(plant, words.seed * 1000 + 10 * n + k) for n in range(words.load) for k, made in enumerate(
             (Poster, Poller, Poller, lambda *given: Follower(*given, False), lambda *given: Follower(*given, True)))]
         kind = None
         try:
             for number in range(words.faults):
-                kind = plant.choose.choices(kinds, weights)[0]
+                kind = first[number] if number < len(first) else plant.choose.choices(kinds, weights)[0]
                 start = time.monotonic()
                 kind(plant)
                 plant.check()
@@ -419,7 +542,8 @@ def main():
     for name, times in sorted(done.items()):
         print(f"| {name.replace('_', ' ')} | {times} |")
     print(f"{sum(done.values())} faults, {len(plant.jobs)} jobs acknowledged and ended, {plant.counts['polls']} polls, {plant.counts['events']} events, "
-          f"{sum(wire.parted for wire in plant.wires.values())} commits parted from their answers; longest beyond a lease: {plant.longest:.1f} s")
+          f"{sum(wire.parted for wire in plant.wires.values())} commits parted from their answers; {plant.counts['answers 503']} answers 503, {plant.counts['answers 507']} 507; "
+          f"longest beyond a lease: {plant.longest:.1f} s; first writes after promotions: {', '.join(f'{each:.1f}' for each in plant.first_writes) or 'none'} s")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""A proxy between a program and its PostgreSQL server, on a socket in a folder of its own: what passes can be cut, delayed and held back, and a commit can be
-parted from its answer."""
+"""A proxy between a program and its PostgreSQL servers, with a socket for each in a folder of its own: what passes can be cut, delayed and held back, and a commit
+can be parted from its answer."""
 import pathlib
 import re
 import shutil
@@ -49,28 +49,35 @@ class Messages:
 
 
 class Wire:
-    """`host` is the folder of the server's socket. Faults hold from the call on until restore(). Ends with the block `with` that it is used in."""
+    """`hosts` are folders of servers' sockets. Faults hold from the call on until restore(). Ends with the block `with` that it is used in."""
 
-    def __init__(self, host):
-        self.server = str(pathlib.Path(host) / SOCKET)
+    def __init__(self, *hosts):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="bahnwerk-wire-"))
         self.lock = threading.Condition()
         self.open, self.refuses, self.holds, self.delay, self.unanswered, self.parted = set(), False, False, 0, 0, 0
-        self.listener = socket.socket(socket.AF_UNIX)
-        self.listener.bind(str(self.folder / SOCKET))
-        self.listener.listen(128)
-        threading.Thread(target=self.accept, daemon=True).start()
+        self.ways = []  # folder of our socket, listener
+        for number, host in enumerate(hosts):
+            folder = self.folder / str(number)
+            folder.mkdir()
+            listener = socket.socket(socket.AF_UNIX)
+            listener.bind(str(folder / SOCKET))
+            listener.listen(128)
+            self.ways.append((folder, listener))
+            threading.Thread(target=self.accept, args=(listener, str(pathlib.Path(host) / SOCKET)), daemon=True).start()
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.listener.close()
+        for _, listener in self.ways:
+            listener.close()
         self.cut()
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def url(self, user="postgres", database="bahnwerk"):
-        return f"postgresql://{user}@/{database}?host={self.folder}"
+    def url(self):
+        """With several servers, that of the one that is written is found."""
+        hosts = ",".join(str(folder) for folder, _ in self.ways)
+        return f"postgresql://postgres@/bahnwerk?host={hosts}" + ("&target_session_attrs=read-write" if len(self.ways) > 1 else "")
 
     def cut(self, refuse=False):
         """Ends all connections; `refuse`: and each new one."""
@@ -101,17 +108,17 @@ class Wire:
             self.refuses, self.holds, self.delay, self.unanswered = False, False, 0, 0
             self.lock.notify_all()
 
-    def accept(self):
+    def accept(self, listener, address):
         while True:
             try:
-                client, _ = self.listener.accept()
+                client, _ = listener.accept()
             except OSError:
                 return
             server = socket.socket(socket.AF_UNIX)
             try:
                 if self.refuses:
                     raise OSError
-                server.connect(self.server)
+                server.connect(address)
             except OSError:
                 client.close()
                 server.close()
