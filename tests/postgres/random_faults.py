@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Random faults under load: two processes that serve and three that plan share a PostgreSQL server, which a synchronous standby follows.
 
-    tests/postgres/random_faults.py BINARY [--faults 20] [--seed 1] [--only KIND,…] [--first KIND,…]
+    tests/postgres/random_faults.py BINARY [--faults 20] [--seed 1] [--only KIND,…] [--first KIND,…] [--short]
 
 Clients post, ask and follow events all the time, from one process and the other in turn. After each fault: nothing that was acknowledged is lost, each job has
 one result, of the attempt that ended it, no attempt outlasts its lease, no job is `worker-lost`, and each client has seen revisions and ids of events only grow.
@@ -173,8 +173,8 @@ class Follower(Client):
 
 
 class Plant:
-    def __init__(self, binary, database, standby, stack, seed):
-        self.database, self.standby, self.choose = database, standby, random.Random(seed)
+    def __init__(self, binary, database, standby, stack, seed, short):
+        self.database, self.standby, self.choose, self.short = database, standby, random.Random(seed), short
         self.over, self.lock, self.failure = threading.Event(), threading.Lock(), None
         self.jobs, self.open, self.last_ended, self.counts = [], set(), None, collections.Counter()
         self.wires, self.longest, self.snapshot, self.full, self.first_writes = {}, 0.0, None, False, []
@@ -356,7 +356,7 @@ class Plant:
         self.full = True
         self.database.disks[0].fill()
         until(lambda: self.failure or any(self.post(each) == 507 for each in self.apis), "a post is refused")
-        self.rest(0, LEASE + 8 if self.choose.random() < 0.2 else 8)
+        self.rest(0, LEASE + 8 if self.choose.random() < 0.2 and not self.short else 8)
         self.end_of_full_disk(self.database.disks[0])
 
     def fill_disk_of_log(self):
@@ -456,6 +456,7 @@ class Plant:
              part_commits_from_answers, hold_a_snapshot, pause_standby, promote_standby)
     OF_CLOCKS = (step_clocks, begin_with_another_clock)
     OF_DISKS = (fill_disk, fill_disk_of_log)
+    OF_LEASES = (pause_worker_beyond_its_lease, pause_server_beyond_leases, kill_worker, kill_all_workers)
     SELDOM = (pause_worker_beyond_its_lease, pause_server_beyond_leases, kill_all_workers)
 
 
@@ -481,6 +482,7 @@ def main():
     words.add_argument("--seed", type=int, default=1)
     words.add_argument("--only", default="", help="kinds, with commas between")
     words.add_argument("--first", default="", help="kinds that come once each before those that are drawn")
+    words.add_argument("--short", action="store_true", help="without those after which a lease has to run out")
     words.add_argument("--load", type=int, default=2, help="clients of each sort")
     words = words.parse_args()
     if not programs():
@@ -495,7 +497,7 @@ def main():
         else:
             print(f"without {', '.join(kind.__name__.replace('_', ' ') for kind in more)}: {why}", flush=True)
     first = [kind for kind in kinds if kind.__name__ in words.first.split(",")]
-    kinds = [kind for kind in kinds if not words.only or kind.__name__ in words.only.split(",")]
+    kinds = [kind for kind in kinds if (not words.only or kind.__name__ in words.only.split(",")) and not (words.short and kind in Plant.OF_LEASES)]
     weights = [1 if kind in Plant.SELDOM else 3 for kind in kinds]
     done = collections.Counter()
     disks = {"megabytes": 2048} if mounts else {}
@@ -505,7 +507,7 @@ def main():
         database.start()
         database.ask("CREATE DATABASE bahnwerk", "postgres")
         standby.follow_synchronously(database)
-        plant = Plant(words.binary, database, standby, stack, words.seed)
+        plant = Plant(words.binary, database, standby, stack, words.seed, words.short)
         clients = [made(plant, words.seed * 1000 + 10 * n + k) for n in range(words.load) for k, made in enumerate(
             (Poster, Poller, Poller, lambda *given: Follower(*given, False), lambda *given: Follower(*given, True)))]
         kind = None
