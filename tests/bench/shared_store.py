@@ -229,7 +229,7 @@ def pauses(binary):
     with server() as database, contextlib.ExitStack() as stack:
         apis = [stack.enter_context(Service(binary, "--role", "api", url=database.url)) for _ in range(2)]
         for _ in range(2):
-            stack.enter_context(Service(binary, *WORKER, url=database.url))
+            stack.enter_context(Service(binary, *WORKER, "--max-planning-time", "3600", url=database.url))
         document = half_circles(LONG_JOB)
         document["spec"]["planning"] = {"method": "jerk_limited"}
         for axis in document["spec"]["machine"]["axes"].values():
@@ -245,7 +245,7 @@ def pauses(binary):
             print(f"a pause; {apis[0].json(f'/v1/jobs/{id}')['state']} in attempt " + database.ask(f"SELECT attempt FROM bahnwerk.jobs WHERE id = '{id}'"), flush=True)
             time.sleep(2)
         job = apis[1].wait(id, 3600)
-        print(f"{job['state']} after {time.monotonic() - start:.0f} s in attempt " + database.ask(f"SELECT attempt FROM bahnwerk.jobs WHERE id = '{id}'"), flush=True)
+        print(f"{job['state']} {(job['error'] or {}).get('type', '')} after {time.monotonic() - start:.0f} s in attempt " + database.ask(f"SELECT attempt FROM bahnwerk.jobs WHERE id = '{id}'"), flush=True)
 
 
 def main():

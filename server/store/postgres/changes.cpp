@@ -47,13 +47,20 @@ std::uint64_t PostgresStore::number_changes(PostgresConnection& connection) {
   return static_cast<std::uint64_t>(numbered.integer(0, 0));
 }
 
-/// Returns the last number, after all changes that are visible now have theirs.
+/// Returns the last number, after all changes that are visible now have theirs; while the disk is full they get them
+/// later.
 std::uint64_t PostgresStore::numbered(PostgresConnection& connection) {
   const auto feed = connection.run(
       "SELECT last, EXISTS (SELECT FROM changes AS c WHERE c.xid >= pg_snapshot_xmin(snapshot) AND NOT "
       "pg_visible_in_snapshot(c.xid, snapshot)) FROM change_feed");
   if (!feed.empty() && !feed.flag(0, 1)) return static_cast<std::uint64_t>(feed.integer(0, 0));
-  return number_changes(connection);
+  try {
+    return number_changes(connection);
+  } catch (const StoreError& error) {
+    if (!error.full || feed.empty()) throw;
+    connection.rollback();
+    return static_cast<std::uint64_t>(feed.integer(0, 0));
+  }
 }
 
 std::uint64_t PostgresStore::last_change() {

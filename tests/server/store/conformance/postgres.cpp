@@ -237,6 +237,17 @@ TEST_F(PostgresOnly, ALossThatNoOutageExplainsIsCounted) {
   EXPECT_EQ(run("SELECT losses FROM jobs"), "1");
 }
 
+TEST_F(PostgresOnly, AttemptsBeginByTheClockOfTheDatabase) {
+  ByItsClock by(stores->url);
+  insert_id(by.store);
+  const auto clock = [&] { return std::stoll(run("SELECT floor(extract(epoch FROM clock_timestamp()) * 1000)")); };
+  const std::int64_t before = clock(), wrong = before + 3'600'000;
+  const auto job = by.store.claim({"ahead", wrong, wrong + 60'000});
+  ASSERT_TRUE(job && job->started_at);
+  EXPECT_GE(*job->started_at, before);
+  EXPECT_LE(*job->started_at, clock());
+}
+
 TEST_F(PostgresOnly, RevisionsLeapOnceWhereACrashMayHaveUndoneHeartbeats) {
   PostgresStore store({.url = stores->url, .patience = PostgresServer::patient()});
   insert_many(store, 2);
