@@ -45,7 +45,7 @@ int milliseconds_until(std::chrono::steady_clock::time_point until) {
 }  // namespace
 
 PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience patience, PostgresSession session)
-    : patience_(patience), session_(session), since_(std::chrono::steady_clock::now()) {
+    : url_(url), patience_(patience), session_(session), since_(std::chrono::steady_clock::now()) {
   const auto until = since_ + patience.brief;
   const std::string seconds = std::to_string(std::max<std::int64_t>(2, patience.brief.count() / 1000));
   const char* const words[] = {"dbname",          "fallback_application_name", "connect_timeout",  "client_encoding",
@@ -290,6 +290,15 @@ std::vector<std::string> PostgresConnection::wait_for_signals(int wake, Time unt
       until = std::chrono::steady_clock::now();
     }
   }
+}
+
+std::unique_ptr<PostgresConnection> PostgresConnection::another(PostgresPatience patience) const {
+  return std::make_unique<PostgresConnection>(url_, patience, session_);
+}
+
+void PostgresConnection::without_timeouts() {
+  // A pooler gives what is outside of transactions a session as the server makes it.
+  if (session_ == PostgresSession::own) script("SET statement_timeout = 0; SET lock_timeout = 0");
 }
 
 bool PostgresConnection::read_only() const {

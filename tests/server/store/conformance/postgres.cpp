@@ -5,7 +5,6 @@
 #include "../postgres_wire.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/store/open.hpp"
-#include "server/store/postgres/migrate.hpp"
 #include "stores.hpp"
 
 namespace bahnwerk::server {
@@ -136,20 +135,6 @@ TEST_F(PostgresOnly, KeysAreAddedListedAndRemovedBesideTheStore) {
   EXPECT_EQ(list_keys(stores->url).size(), 1U);
 }
 
-TEST_F(PostgresOnly, AStoreThatNeedsANewerProgramIsRefused) {
-  run("INSERT INTO schema_version VALUES (1000, 1)");
-  EXPECT_NO_THROW(stores->restart()) << "it is newer, and this program may use it";
-  run("UPDATE schema_version SET min_reader = 1000 WHERE version = 1000");
-  EXPECT_THROW(PostgresStore({.url = stores->url}), StoreError);
-}
-
-TEST_F(PostgresOnly, AnOlderSchemaIsRefusedWhereItMayNotBeChanged) {
-  const PostgresOptions options{.url = stores->url, .patience = PostgresServer::patient(), .migrate = false};
-  EXPECT_NO_THROW(const PostgresStore store(options));
-  run("UPDATE schema_version SET version = version - 1");
-  EXPECT_THROW(const PostgresStore store(options), StoreError);
-}
-
 TEST_F(PostgresOnly, TextsThatAreNoUtf8AreKeptReadable) {
   NewJob job = new_job();
   job.request.name = "caf\xC3 caf\xC3\xA9";
@@ -205,8 +190,11 @@ struct ByItsClock {
   /// Looks until the job is lost; returns how long that took since `from`.
   std::chrono::steady_clock::duration lost(const std::string& id, std::chrono::steady_clock::time_point from) {
     for (;;) {
-      const auto ids = store.expire(now_ms()).lost;
-      if (std::find(ids.begin(), ids.end(), id) != ids.end()) return std::chrono::steady_clock::now() - from;
+      try {
+        const auto ids = store.expire(now_ms()).lost;
+        if (std::find(ids.begin(), ids.end(), id) != ids.end()) return std::chrono::steady_clock::now() - from;
+      } catch (const StoreAway&) {  // connections whose end was not noticed yet
+      }
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   }
@@ -280,36 +268,6 @@ TEST_F(PostgresOnly, APooledSessionKeepsNothingAndPreparesNothing) {
   connection.script("CREATE TEMPORARY TABLE left_over AS SELECT current_setting('search_path') AS path");
   EXPECT_NE(connection.run("SELECT path FROM pg_temp.left_over").text(0, 0), "bahnwerk") << "outside of it";
   EXPECT_EQ(connection.run("SELECT count(*) FROM pg_prepared_statements").integer(0, 0), 0);
-}
-
-TEST_F(PostgresOnly, WhatTheServerLacksIsNamedAndRefused) {
-  run("CREATE ROLE poor LOGIN; GRANT USAGE ON SCHEMA bahnwerk TO poor; GRANT ALL ON ALL TABLES IN SCHEMA bahnwerk TO "
-      "poor");
-  std::string url = stores->url;
-  url.replace(url.find("postgres@"), 9, "poor@");
-  const auto why = [&] {
-    try {
-      const PostgresStore store({.url = url, .patience = PostgresServer::patient(), .migrate = false});
-    } catch (const StoreRefused& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_EQ(why(), "");
-  run("REVOKE EXECUTE ON FUNCTION pg_current_snapshot() FROM PUBLIC; REVOKE UPDATE ON jobs FROM poor");
-  EXPECT_NE(why().find("pg_current_snapshot"), std::string::npos) << why();
-  EXPECT_EQ(why().find("advisory"), std::string::npos) << why();
-  run("REVOKE EXECUTE ON FUNCTION pg_try_advisory_xact_lock_shared(bigint) FROM PUBLIC");
-  EXPECT_NE(why().find("advisory locks"), std::string::npos) << why();
-}
-
-TEST_F(PostgresOnly, EachDayHasItsPartition) {
-  EXPECT_EQ(run("SELECT count(*) >= 4 FROM pg_inherits WHERE inhparent = 'chunks'::regclass"), "t");
-  NewJob job = new_job();
-  job.now = now_ms();
-  const std::string id = insert_id(stores->one(), job);
-  EXPECT_NE(run("SELECT tableoid::regclass FROM specs WHERE id = '" + id + "'"), "specs_rest");
-  EXPECT_TRUE(claim(stores->other(), 1));
 }
 
 TEST_F(PostgresOnly, ErrorsOfTheServerAreSentencesWithoutPasswords) {
