@@ -1,5 +1,8 @@
 /// What the PostgreSQL store has beside what every store holds.
 #include <algorithm>
+#include <functional>
+#include <random>
+#include <set>
 #include <thread>
 
 #include "../postgres_wire.hpp"
@@ -35,6 +38,86 @@ TEST_F(PostgresOnly, NumbersOfChangesGoOnWhereACrashHasEmptiedTheirTables) {
   const std::string id = insert_id(store);
   ASSERT_EQ(stores->other().changes_since(after, 10).list.size(), 1U);
   EXPECT_EQ(stores->other().changes_since(after, 10).list.front().id, id);
+}
+
+/// What a reader has seen: the number and the job of each change, in order.
+using Seen = std::vector<std::pair<std::uint64_t, std::string>>;
+
+/// Asks for changes until none are left after `writing` has become 0.
+Seen follow(Store& store, std::uint64_t sequence, const std::atomic<int>& writing) {
+  Seen seen;
+  for (bool last = false; !last;) {
+    last = writing == 0;
+    const Changes changes = store.changes_since(sequence, 7);
+    EXPECT_FALSE(changes.gap);
+    for (const Changed& changed : changes.list) {
+      EXPECT_GT(changed.sequence, sequence);
+      sequence = changed.sequence;
+      seen.emplace_back(sequence, changed.id);
+      last = false;
+    }
+  }
+  return seen;
+}
+
+TEST_F(PostgresOnly, ChangesAreNumberedOnceInWhateverOrderTransactionsEnd) {
+  constexpr int writers = 8, each = 60;
+  const std::uint64_t start = stores->one().last_change();
+  std::atomic<int> writing{writers + 1};
+  std::mutex mutex;
+  std::set<std::string> committed;
+  /// One transaction that changes two jobs, made as each writer likes.
+  const auto write = [&](PostgresConnection& connection, Uuid7& ids, bool keep, const std::function<void()>& between) {
+    std::vector<std::string> made;
+    connection.begin();
+    for (int k = 0; k < 2; ++k) {
+      made.push_back(ids.next(1'700'000'000'000));
+      PostgresParameters id;
+      id.uuid(made.back());
+      connection.run_all(
+          {{"INSERT INTO jobs (id, kind, rank, turn, needs, state, created_at) VALUES ($1, 'ramp', 0, 0, 0, "
+            "'queued', now())",
+            id},
+           {"INSERT INTO changes (id) VALUES ($1)", id}});
+      between();
+    }
+    if (!keep) return connection.rollback();
+    connection.commit();
+    const std::lock_guard lock(mutex);
+    committed.insert(made.begin(), made.end());
+  };
+  std::vector<std::thread> threads;
+  std::atomic<int> done{0};
+  threads.emplace_back([&] {  // is open as long as any other one
+    PostgresConnection connection(stores->url, PostgresServer::patient());
+    connection.script("SET idle_in_transaction_session_timeout = 0");
+    Uuid7 ids;
+    write(connection, ids, true, [&] {
+      while (done < writers) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+    --writing;
+  });
+  for (int t = 0; t < writers; ++t)
+    threads.emplace_back([&, t] {
+      PostgresConnection connection(stores->url, PostgresServer::patient());
+      std::mt19937 draw(static_cast<unsigned>(t));
+      Uuid7 ids;
+      for (int k = 0; k < each; ++k)
+        write(connection, ids, draw() % 8 != 0,
+              [&] { std::this_thread::sleep_for(std::chrono::microseconds(draw() % 4 == 0 ? draw() % 20'000 : 0)); });
+      ++done;
+      --writing;
+    });
+  Seen first, second;
+  std::thread reader([&] { second = follow(stores->other(), start, writing); });
+  first = follow(stores->one(), start, writing);
+  reader.join();
+  for (std::thread& thread : threads) thread.join();
+  std::set<std::string> seen;
+  for (const auto& [number, id] : first) seen.insert(id);
+  EXPECT_EQ(seen.size(), first.size()) << "none twice";
+  EXPECT_EQ(seen, committed) << "and none missed";
+  EXPECT_EQ(first, second) << "all processes see the same";
 }
 
 TEST_F(PostgresOnly, JobsThatNeedALaterEngineAreCounted) {
