@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -161,6 +162,10 @@ class PostgresStore final : public Store {
   void write();
   void store_posts(std::vector<Post>& group);
   void store_group(PostgresConnection& connection, std::vector<Post*> group);
+  PostgresStatement statement_of(std::span<Post* const> posts) const;
+  std::optional<std::size_t> queued_count(std::size_t posts, std::size_t most);
+  std::size_t counted(std::size_t queued);
+  void counted_more(std::size_t posts);
 
   static PostgresStatement statement_of(const Step& step);
   static PostgresStatement lock_of(const std::string& id);
@@ -186,7 +191,11 @@ class PostgresStore final : public Store {
   std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;
   Uuid7 ids_;
-  std::mutex claim_mutex_;         ///< one claim at a time: suspects run alone in a process
+  std::mutex queued_mutex_;
+  std::size_t queued_ = 0;  ///< jobs in the queue when they were counted, and own posts since; guarded by queued_mutex_
+  std::chrono::steady_clock::time_point queued_known_ =
+      std::chrono::steady_clock::time_point::min();  ///< when that was
+  std::mutex claim_mutex_;                           ///< one claim at a time: suspects run alone in a process
   bool claim_unknown_ = false;     ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
   QueuePlace claimed_up_to_;       ///< the last claim; guarded by claim_mutex_, as the two below
   std::uint64_t known_queue_ = 0;  ///< value of queue_changes_ before it
