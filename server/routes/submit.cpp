@@ -12,6 +12,7 @@
 #include "server/routes/watch.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/sha256.hpp"
+#include "server/store/rules.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -162,6 +163,7 @@ class Post final : public DocumentCheck {
       job_.max_owned = held->key.max_queued;
       job_.max_planning_ms = held->key.max_planning_ms;
     }
+    accepted_ = accepted_job(job_, "");
     context_.store.insert(std::move(job_), [self = this_post()](const Inserted& inserted, std::exception_ptr error) {
       // This runs on the store's thread: it hands over at once.
       self->context_.pool.post([self, inserted, error = std::move(error)] { self->answer(inserted, error); });
@@ -178,13 +180,16 @@ class Post final : public DocumentCheck {
                              [](const Context& context, const Request& request, const api::Job& job) {
                                return accepted(context, request, job);
                              });
-      reply_(accepted(context_, *request_, find_job(context_, inserted.id), planning_time_));
+      accepted_.id = inserted.id;
+      const bool replayed = inserted.what == Inserted::What::replayed;
+      reply_(accepted(context_, *request_, replayed ? find_job(context_, inserted.id) : accepted_, planning_time_));
     } catch (...) {
       reply_(answer_from_current_exception(*request_));
     }
   }
 
   NewJob job_;
+  api::Job accepted_;  ///< the job as it was accepted
   std::optional<api::PlanningTime> planning_time_;
 };
 

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
-#include "server/store/values.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -15,6 +14,24 @@ std::string document(const std::string& id, const char* type, const std::string&
 }
 
 }  // namespace
+
+api::Job accepted_job(const NewJob& job, const std::string& id) {
+  const api::JobRequest& request = job.request;
+  api::Job accepted;
+  accepted.id = id;
+  accepted.request.kind = request.kind;
+  accepted.request.name = request.name;
+  accepted.request.reference = request.reference;
+  if (request.callback) accepted.request.callback = api::Callback{request.callback->url};
+  accepted.request.tags = request.tags;
+  accepted.request.priority = request.priority;
+  accepted.request.deadline = request.deadline;
+  accepted.request.time_budget = request.time_budget;
+  accepted.owner = job.owner;
+  accepted.created_at = job.now;
+  accepted.revision = accepted.state_revision = 1;
+  return accepted;
+}
 
 Fate after_cancel(const std::string& id) {
   return {JobState::cancelled, document(id, "cancelled", "The job was cancelled.")};

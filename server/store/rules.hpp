@@ -4,6 +4,7 @@
 #include <string>
 
 #include "api/job.hpp"
+#include "server/store/values.hpp"
 
 namespace bahnwerk::server {
 
@@ -13,6 +14,9 @@ inline constexpr std::int64_t lost_leap = 1 << 20;
 
 /// Removals whose changes a store remembers, at least; whoever asks from before them looks at all jobs.
 inline constexpr std::int64_t kept_removals = 1024;
+
+/// Returns a job as its store has it when it has been accepted, without its document and the secret of its callback.
+api::Job accepted_job(const NewJob& job, const std::string& id);
 
 /// The state into which a job goes, and its error: a problem document, empty where there is none.
 struct Fate {

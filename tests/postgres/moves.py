@@ -2,7 +2,8 @@
 """All jobs of an SQLite store are moved to a PostgreSQL server and back, by a command that is killed again and again.
 
     tests/postgres/moves.py BINARY
-    tests/postgres/moves.py BINARY --megabytes 1000     # measures instead: both ways with so much, without kills
+    tests/postgres/moves.py BINARY --megabytes 1000     # measures instead: both ways with so much, on a server that waits for its disk
+    tests/postgres/moves.py BINARY --megabytes 1000 --kills 2     # the command is killed so often on each way, after equal shares of the jobs
 
 A service answers every question about ended jobs as before, and plans the others. Exit 77: there is no server.
 """
@@ -43,20 +44,24 @@ def sizes(path):
         return store.execute("SELECT (SELECT count(*) FROM jobs), (SELECT sum(length(data)) FROM chunks)").fetchone()
 
 
-def multiply(path, megabytes, least):
-    """Repeats the largest job that succeeded, with new ids, until its copies have so many MB of setpoints, and as many as `least`."""
+def multiply(path, megabytes, least, kinds=1):
+    """Repeats the largest jobs that succeeded in turn, so many `kinds` of them, with new ids, until the copies have so many MB of setpoints, and are as many as
+    `least`."""
     with sqlite3.connect(path) as store:
-        seq, size = store.execute("SELECT seq, sum(length(data)) FROM chunks GROUP BY seq ORDER BY 2 DESC LIMIT 1").fetchone()
+        largest = store.execute("SELECT seq, sum(length(data)) FROM chunks GROUP BY seq ORDER BY 2 DESC LIMIT ?", (kinds,)).fetchall()
         columns = [row[1] for row in store.execute("PRAGMA table_info(jobs)") if row[1] not in ("seq", "id", "changed")]
-        names = ", ".join(columns)
-        for number in range(max(least, int(megabytes * 1e6 / size))):
+        names, number, left = ", ".join(columns), 0, megabytes * 1e6
+        while number < least or left > 0:
+            seq, size = largest[number % len(largest)]
+            left -= size
             id = f"{int(time.time() * 1000):012x}"
             id = f"{id[:8]}-{id[8:]}-7000-8000-{number:012x}"
             row = store.execute(f"INSERT INTO jobs (id, {names}) SELECT ?, {names} FROM jobs WHERE seq = ?", (id, seq)).lastrowid
             for table, values in (("specs", "spec, whole"), ("results", "document, columns, row_count, chunk_rows, cycle_time, views"),
                                   ("chunks", "first_row, row_count, data"), ("views", "name, part, data")):
                 store.execute(f"INSERT INTO {table} (seq, {values}) SELECT ?, {values} FROM {table} WHERE seq = ?", (row, seq))
-            if number % 100 == 99:
+            number += 1
+            if number % 100 == 0 or size > 1e6:
                 store.commit()
     store.close()
 
@@ -162,37 +167,82 @@ def killed(binary, folder, database):
         expect(service.stop() == 0, "an orderly end")
 
 
-def measure(binary, folder, database, megabytes):
+def slow(rows):
+    """A document of so many rows of setpoints, one each ms: half circles of 6.28 mm in all at the same slow speed."""
+    document = half_circles(2)
+    for axis in document["spec"]["machine"]["axes"].values():
+        axis["velocity"] = 6283 / rows
+    return document
+
+
+def resident(process):
+    """Resident memory, MB."""
+    with open(f"/proc/{process.pid}/status") as status:
+        return next((int(line.split()[1]) / 1024 for line in status if line.startswith("VmRSS")), 0)
+
+
+def move_measured(binary, here, there, shares):
+    """Moves, killed when these shares of the jobs are there; returns what the command says at the end, and for each run: jobs at its end, seconds, processor
+    time, and the resident memory after a tenth of its time and at most."""
+    runs = []
+    for share in [*shares, None]:
+        begin, memory, jobs = time.monotonic(), [], "0"
+        with tempfile.TemporaryFile("w+") as out:
+            process = subprocess.Popen([binary, "migrate-store", here, there], stdout=out, stderr=subprocess.PIPE, text=True)
+            os.set_blocking(process.stderr.fileno(), False)
+            while os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None:
+                memory.append(resident(process))
+                time.sleep(0.2)
+                line = process.stderr.readline() or ""
+                if " jobs, " in line:
+                    jobs, _, of = line.split(": ")[2].split()[:3]
+                    if share is not None and ("comparing" in line or int(jobs) >= share * int(of)):
+                        process.kill()
+            _, status, used = os.wait4(process.pid, 0)
+            runs.append((jobs, time.monotonic() - begin, used.ru_utime + used.ru_stime, max(memory[:max(1, len(memory) // 10)]), used.ru_maxrss / 1024))
+            if status == 0:
+                out.seek(0)
+                return json.load(out), runs
+            expect(share is not None and os.WIFSIGNALED(status), f"the move ends with {status}")
+
+
+def measure(binary, folder, database, megabytes, kills):
     path = fill(binary, folder)[0]
-    multiply(path, megabytes, 0)
+    with Service(binary, "--workers", "1", "--worker-nice", "0", store=path) as service:
+        for rows in (4_000_000, 400_000, 40_000):
+            job = service.wait(service.post(slow(rows)))
+            expect(job["state"] == "succeeded", job)
+        service.stop()
+    multiply(path, megabytes, 0, kinds=3)
     database.ask("CREATE DATABASE bahnwerk", "postgres")
     for here, there in ((str(path), database.url), (database.url, str(folder / "back.db"))):
-        begin, load = time.monotonic(), os.getloadavg()[0]
-        with tempfile.TemporaryFile("w+") as out:
-            process = subprocess.Popen([binary, "migrate-store", here, there], stdout=out, stderr=subprocess.DEVNULL)
-            _, status, used = os.wait4(process.pid, 0)
-            expect(status == 0, "the move ends with 0")
-            out.seek(0)
-            told = json.load(out)
-        seconds, size = time.monotonic() - begin, told["bytes"] / 1e6
-        say(f"{told['jobs']} jobs, {size:.0f} MB in {seconds:.1f} s, {size / seconds:.1f} MB/s: moved in {told['seconds_moving']:.1f} s, compared in "
-            f"{told['seconds_comparing']:.1f} s; the command took {used.ru_utime + used.ru_stime:.1f} s of the processor and {used.ru_maxrss / 1024:.0f} MB "
-            f"of memory; load before {load:.1f}, after {os.getloadavg()[0]:.1f}")
+        load = os.getloadavg()[0]
+        told, runs = move_measured(binary, here, there, [(k + 1) / (kills + 1) for k in range(kills)])
+        size = told["bytes"] / 1e6
+        moving = sum(run[1] for run in runs) - told["seconds_comparing"]
+        seconds = moving + told["seconds_comparing"]
+        say(f"{told['jobs']} jobs, {size:.0f} MB in {seconds:.1f} s, {size / seconds:.1f} MB/s: moved in {moving:.1f} s, {size / moving:.1f} MB/s, compared in "
+            f"{told['seconds_comparing']:.1f} s; equal: {told['equal']}; load before {load:.1f}, after {os.getloadavg()[0]:.1f}")
+        for jobs, spent, processor, early, most in runs:
+            say(f"    a run of {spent:.1f} s up to job {jobs}: {processor:.1f} s of the processor, {early:.0f} MB of memory in its first tenth, {most:.0f} MB at most")
 
 
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("binary")
     arguments.add_argument("--megabytes", type=float)
+    arguments.add_argument("--kills", type=int, default=0)
     given = arguments.parse_args()
     if not programs():
         print("its server is not installed")
         sys.exit(77)
     with tempfile.TemporaryDirectory(prefix="bahnwerk-moves-") as folder, Database() as database:
+        if given.megabytes:
+            database.settings = "-c max_connections=100"
         database.make()
         database.start()
         if given.megabytes:
-            measure(given.binary, pathlib.Path(folder), database, given.megabytes)
+            measure(given.binary, pathlib.Path(folder), database, given.megabytes, given.kills)
         else:
             killed(given.binary, pathlib.Path(folder), database)
 

@@ -11,7 +11,8 @@ namespace {
 
 // Types of values (pg_type.dat of PostgreSQL; they never change).
 constexpr unsigned bool_type = 16, bytes_type = 17, int8_type = 20, text_type = 25, float8_type = 701, time_type = 1184,
-                   uuid_type = 2950, int8s_type = 1016, texts_type = 1009, float8s_type = 1022, uuids_type = 2951;
+                   uuid_type = 2950, int8s_type = 1016, texts_type = 1009, float8s_type = 1022, uuids_type = 2951,
+                   bytes_array_type = 1001, times_type = 1185;
 /// ms from 1970 to 2000, with which the server's time begins, and the last time that it has.
 constexpr std::int64_t server_epoch = 946'684'800'000, last_time = 9'224'318'015'999'999;
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
@@ -68,6 +69,11 @@ std::size_t utf8_length(std::string_view text) {
   return follows(3) && !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F) ? 4 : 0;
 }
 
+std::string time_bytes(std::int64_t ms) {
+  const std::int64_t last = last_time / 1000;
+  return big_endian(ms == never ? never : std::clamp(ms, -server_epoch, last) * 1000 - server_epoch * 1000);
+}
+
 /// An array of one dimension in binary form: dimensions, whether it has NULLs, type, length, lowest index; elements.
 template <class Add>
 std::string array_of(unsigned type, std::size_t size, Add&& add) {
@@ -79,7 +85,7 @@ std::string array_of(unsigned type, std::size_t size, Add&& add) {
   put(out, static_cast<std::int32_t>(size));
   put(out, std::int32_t{1});
   for (std::size_t k = 0; k < size; ++k) {
-    const std::optional<std::string> element = add(k);
+    const auto element = add(k);
     put(out, element ? static_cast<std::int32_t>(element->size()) : std::int32_t{-1});
     if (element) out += *element;
   }
@@ -135,24 +141,42 @@ PostgresParameters& PostgresParameters::uuid(const std::optional<std::string>& t
   return add(uuid_type, text ? uuid_bytes(*text) : std::nullopt);
 }
 PostgresParameters& PostgresParameters::time(std::optional<std::int64_t> ms) {
-  if (!ms) return add(time_type, std::nullopt);
-  const std::int64_t last = last_time / 1000;
-  return add(time_type,
-             big_endian(*ms == never ? never : std::clamp(*ms, -server_epoch, last) * 1000 - server_epoch * 1000));
+  return add(time_type, ms ? std::optional(time_bytes(*ms)) : std::nullopt);
 }
 PostgresParameters& PostgresParameters::uuids(const std::vector<std::string>& texts) {
   return add(uuids_type, array_of(uuid_type, texts.size(), [&](std::size_t k) { return uuid_bytes(texts[k]); }));
 }
 PostgresParameters& PostgresParameters::integers(const std::vector<std::int64_t>& values) {
-  return add(int8s_type, array_of(int8_type, values.size(), [&](std::size_t k) { return big_endian(values[k]); }));
+  return add(int8s_type,
+             array_of(int8_type, values.size(), [&](std::size_t k) { return std::optional(big_endian(values[k])); }));
 }
 PostgresParameters& PostgresParameters::numbers(const std::vector<double>& values) {
-  return add(float8s_type, array_of(float8_type, values.size(),
-                                    [&](std::size_t k) { return big_endian(std::bit_cast<std::int64_t>(values[k])); }));
+  return add(float8s_type, array_of(float8_type, values.size(), [&](std::size_t k) {
+               return std::optional(big_endian(std::bit_cast<std::int64_t>(values[k])));
+             }));
 }
 PostgresParameters& PostgresParameters::texts(const std::optional<std::vector<std::string>>& texts) {
   if (!texts) return add(texts_type, std::nullopt);
-  return add(texts_type, array_of(text_type, texts->size(), [&](std::size_t k) { return storable((*texts)[k]); }));
+  return add(texts_type,
+             array_of(text_type, texts->size(), [&](std::size_t k) { return std::optional(storable((*texts)[k])); }));
+}
+PostgresParameters& PostgresParameters::texts(const std::vector<std::optional<std::string>>& texts) {
+  return add(texts_type, array_of(text_type, texts.size(), [&](std::size_t k) {
+               return texts[k] ? std::optional(storable(*texts[k])) : std::nullopt;
+             }));
+}
+PostgresParameters& PostgresParameters::numbers(const std::vector<std::optional<double>>& values) {
+  return add(float8s_type, array_of(float8_type, values.size(), [&](std::size_t k) {
+               return values[k] ? std::optional(big_endian(std::bit_cast<std::int64_t>(*values[k]))) : std::nullopt;
+             }));
+}
+PostgresParameters& PostgresParameters::times(const std::vector<std::optional<std::int64_t>>& ms) {
+  return add(times_type, array_of(time_type, ms.size(), [&](std::size_t k) {
+               return ms[k] ? std::optional(time_bytes(*ms[k])) : std::nullopt;
+             }));
+}
+PostgresParameters& PostgresParameters::bytes(const std::vector<std::optional<std::string_view>>& bytes) {
+  return add(bytes_array_type, array_of(bytes_type, bytes.size(), [&](std::size_t k) { return bytes[k]; }));
 }
 
 PostgresRows::PostgresRows(pg_result* result) : result_(result, PQclear) {}

@@ -37,6 +37,11 @@ class PostgresParameters {
   PostgresParameters& integers(const std::vector<std::int64_t>& values);
   PostgresParameters& numbers(const std::vector<double>& values);
   PostgresParameters& texts(const std::optional<std::vector<std::string>>& texts);
+  // Columns of rows, whose values may be missing.
+  PostgresParameters& texts(const std::vector<std::optional<std::string>>& texts);
+  PostgresParameters& numbers(const std::vector<std::optional<double>>& values);
+  PostgresParameters& times(const std::vector<std::optional<std::int64_t>>& ms);
+  PostgresParameters& bytes(const std::vector<std::optional<std::string_view>>& bytes);  ///< copied
 
  private:
   friend class PostgresConnection;

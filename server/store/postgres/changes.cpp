@@ -35,15 +35,17 @@ constexpr auto forget_removals =
 
 }  // namespace
 
+/// The transaction is sent as a whole: a process that stands still in between has no lock for which others wait.
 std::uint64_t PostgresStore::number_changes(PostgresConnection& connection) {
-  connection.begin();
-  if (connection.run("SELECT 1 FROM change_feed FOR UPDATE").empty()) {  // new, or emptied by a crash
+  const auto number = [&] {
+    return connection.run_all_lengthy({{"SELECT 1 FROM change_feed FOR UPDATE"}, {number_all}}).at(1);
+  };
+  auto numbered = number();
+  if (numbered.empty()) {  // there is no row: the store is new, or emptied by a crash
     connection.run(make_feed);
-    connection.run("SELECT 1 FROM change_feed FOR UPDATE");
+    numbered = number();
   }
-  const auto numbered = connection.run_lengthy(number_all);
   if (numbered.flag(0, 1)) connection.run_lengthy(forget_removals, PostgresParameters() << kept_removals);
-  connection.commit_briefly();
   return static_cast<std::uint64_t>(numbered.integer(0, 0));
 }
 
@@ -74,14 +76,15 @@ Changes PostgresStore::changes_since(std::uint64_t sequence, std::size_t limit,
     PostgresParameters values;
     values << static_cast<std::int64_t>(sequence) << owner << static_cast<std::int64_t>(limit);
     const auto rows = connection.run_all_lengthy(
-        {{"SELECT lowest FROM change_feed"},
-         {"SELECT n.number, n.id, j.state, j.cancel_requested, greatest(j.revision, r.revision) FROM change_numbers AS "
+        // What is forgotten in between counts as a gap.
+        {{"SELECT n.number, n.id, j.state, j.cancel_requested, greatest(j.revision, r.revision) FROM change_numbers AS "
           "n LEFT JOIN jobs AS j ON j.id = n.id LEFT JOIN runs AS r ON r.id = n.id WHERE n.number > $1 AND ($2 IS NULL "
           "OR n.owner = $2) ORDER BY n.number LIMIT $3",
-          std::move(values)}});
+          std::move(values)},
+         {"SELECT lowest FROM change_feed"}});
     Changes changes;
-    changes.gap = sequence > last || rows[0].empty() || static_cast<std::int64_t>(sequence) < rows[0].integer(0, 0);
-    const PostgresRows& list = rows[1];
+    changes.gap = sequence > last || rows[1].empty() || static_cast<std::int64_t>(sequence) < rows[1].integer(0, 0);
+    const PostgresRows& list = rows[0];
     bool queued = changes.gap;
     for (std::size_t row = 0; row < list.size(); ++row) {
       Changed changed;

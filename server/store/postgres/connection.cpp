@@ -48,7 +48,7 @@ int milliseconds_until(std::chrono::steady_clock::time_point until) {
 }  // namespace
 
 PostgresConnection::PostgresConnection(const std::string& url, PostgresPatience patience, PostgresSession session)
-    : patience_(patience), session_(session), since_(std::chrono::steady_clock::now()) {
+    : url_(url), patience_(patience), session_(session), since_(std::chrono::steady_clock::now()) {
   const PostgresServers servers = servers_of(url);
   std::unique_ptr<pg_conn, decltype(&PQfinish)> readable(nullptr, PQfinish);
   std::optional<std::int64_t> readable_start;
@@ -327,6 +327,15 @@ std::vector<std::string> PostgresConnection::wait_for_signals(int wake, Time unt
       until = std::chrono::steady_clock::now();
     }
   }
+}
+
+std::unique_ptr<PostgresConnection> PostgresConnection::another(PostgresPatience patience) const {
+  return std::make_unique<PostgresConnection>(url_, patience, session_);
+}
+
+void PostgresConnection::without_timeouts() {
+  // A pooler gives what is outside of transactions a session as the server makes it.
+  if (session_ == PostgresSession::own) script("SET statement_timeout = 0; SET lock_timeout = 0");
 }
 
 bool PostgresConnection::read_only() const {

@@ -4,6 +4,7 @@
 /// unknown.
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -71,6 +72,11 @@ class PostgresConnection {
   void commit_briefly();               ///< after brief calls
   void rollback() noexcept;            ///< ends an open transaction, if any
 
+  /// Returns another connection of the kind, with a patience of its own.
+  std::unique_ptr<PostgresConnection> another(PostgresPatience patience) const;
+  /// Lets the server work and wait as long as it wants for what is outside of transactions.
+  void without_timeouts();
+
   /// Waits until the server has sent signals of a channel that was listened to, the descriptor `wake` can be read, or
   /// the time is over; returns the contents of the signals.
   std::vector<std::string> wait_for_signals(int wake, std::chrono::steady_clock::time_point until);
@@ -97,6 +103,7 @@ class PostgresConnection {
   [[noreturn]] void lose(const std::string& why);
   void check(pg_result* result);
 
+  const std::string url_;
   const PostgresPatience patience_;
   const PostgresSession session_;
   pg_conn* connection_ = nullptr;

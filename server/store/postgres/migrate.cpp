@@ -15,8 +15,9 @@ namespace {
 /// The least version of the program's schema that may use a store with the migrations of this program.
 constexpr std::int64_t min_reader = 1;
 
-constexpr std::chrono::seconds lock_patience{60};
-constexpr std::chrono::milliseconds lock_interval{50};
+constexpr std::chrono::seconds patience{60};       ///< with others that are in the way of a step
+constexpr std::chrono::milliseconds interval{50};  ///< between attempts
+constexpr std::chrono::hours longest_index{48};
 
 bool exists(PostgresConnection& connection) {
   return !connection
@@ -26,17 +27,50 @@ bool exists(PostgresConnection& connection) {
               .empty();
 }
 
-/// Begins a transaction that has the lock. Whoever waited for it inside of the call would hold a snapshot meanwhile.
-void begin_locked(PostgresConnection& connection) {
-  const auto until = std::chrono::steady_clock::now() + lock_patience;
-  for (;;) {
-    connection.begin();
-    if (try_lock(connection, PostgresLock::migration)) return;
+/// Returns the name of the index that the step makes beside writers; empty: it is a transaction.
+std::string_view index_of(const Migration& step) {
+  if (std::string_view(step.sql).find("CREATE INDEX CONCURRENTLY ") == std::string_view::npos) return "";
+  return step.name.substr(step.name.find('_') + 1);
+}
+
+/// Makes an index while others write. One that was cut off leaves an index that is not valid. Nobody waits for this
+/// statement, so it may wait for the transactions that are open, however long.
+void make_index(PostgresConnection& connection, const Migration& step) {
+  const std::string name(index_of(step));
+  const auto found = connection.run("SELECT indisvalid FROM pg_index WHERE indexrelid = to_regclass($1)",
+                                    PostgresParameters() << "bahnwerk." + name);
+  if (!found.empty() && found.flag(0, 0)) return;
+  connection.without_timeouts();
+  if (!found.empty()) connection.script("DROP INDEX CONCURRENTLY bahnwerk." + name);
+  connection.script(step.sql);
+}
+
+/// Applies the step in a transaction that has the lock, unless another process has. The lock is tried, and not waited
+/// for: whoever waits within the call has a snapshot, for which an index that is made beside writers waits.
+/// Returns false where another process has the lock.
+bool apply(PostgresConnection& connection, const Migration& step) {
+  connection.begin();
+  if (!try_lock(connection, PostgresLock::migration)) {
     connection.rollback();
-    if (std::chrono::steady_clock::now() >= until)
-      throw StoreError("another process is changing the store's schema; try again", false, true);
-    std::this_thread::sleep_for(lock_interval);
+    return false;
   }
+  if (!exists(connection))
+    connection.script(
+        "CREATE SCHEMA IF NOT EXISTS bahnwerk; "
+        "CREATE TABLE bahnwerk.schema_version (version bigint PRIMARY KEY, min_reader bigint NOT NULL)");
+  if (postgres_version(connection) < step.number) {
+    if (index_of(step).empty()) {
+      connection.script(step.sql);
+    } else {
+      // The lock is held by a transaction without a snapshot: a script ends that of the statement before.
+      connection.script("SET LOCAL idle_in_transaction_session_timeout = 0");
+      make_index(*connection.another({.lengthy = longest_index}), step);
+    }
+    connection.run("INSERT INTO bahnwerk.schema_version VALUES ($1, $2)",
+                   PostgresParameters() << std::int64_t{step.number} << min_reader);
+  }
+  connection.commit();
+  return true;
 }
 
 }  // namespace
@@ -52,26 +86,24 @@ int postgres_version(PostgresConnection& connection) {
   return static_cast<int>(rows.integer(0, 0));
 }
 
-void migrate(PostgresConnection& connection) {
-  const auto known = static_cast<int>(postgres_migrations().size());
-  if (postgres_version(connection) >= known) return;
-  begin_locked(connection);
-  try {
-    if (!exists(connection))
-      connection.script(
-          "CREATE SCHEMA IF NOT EXISTS bahnwerk; "
-          "CREATE TABLE bahnwerk.schema_version (version bigint PRIMARY KEY, min_reader bigint NOT NULL)");
-    const int version = postgres_version(connection);
-    for (const Migration& migration : postgres_migrations()) {
-      if (migration.number <= version) continue;
-      connection.script(migration.sql);
-      connection.run("INSERT INTO bahnwerk.schema_version VALUES ($1, $2)",
-                     PostgresParameters() << std::int64_t{migration.number} << min_reader);
+void migrate(PostgresConnection& connection, std::span<const Migration> migrations) {
+  const int version = postgres_version(connection);
+  for (const Migration& step : migrations) {
+    if (step.number <= version) continue;
+    const auto until = std::chrono::steady_clock::now() + patience;
+    for (;; std::this_thread::sleep_for(interval)) {
+      const bool last = std::chrono::steady_clock::now() >= until;
+      try {
+        if (apply(connection, step)) break;
+        if (last) throw StoreError("another process is changing the store's schema; try again", false, true);
+      } catch (const StoreAway&) {
+        connection.rollback();
+        throw;
+      } catch (const StoreError& error) {
+        connection.rollback();
+        if (!error.busy || last) throw;
+      }
     }
-    connection.commit();
-  } catch (...) {
-    connection.rollback();
-    throw;
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 /// The schema `bahnwerk` of a PostgreSQL store, brought up to date by numbered SQL files under
-/// server/store/postgres/migrations. Several processes may try at once.
+/// server/store/postgres/migrations. Several processes may try at once, and others may use the store meanwhile. A file
+/// is one transaction, or one statement CREATE INDEX CONCURRENTLY, which makes an index that has the name of the file
+/// behind its number, on a table named with its schema.
 #include <span>
 
 #include "server/store/migration.hpp"
@@ -12,12 +14,13 @@ class PostgresConnection;
 /// Returns the migrations; `schema_version` has a row for each one that was applied.
 std::span<const Migration> postgres_migrations();
 
-/// Returns the version of the schema; 0: there is none.
+/// Returns the version of the schema; 0: there is none. Throws StoreRefused where a newer version of the program wrote
+/// the store and says that this one cannot use it.
 int postgres_version(PostgresConnection& connection);
 
-/// Applies what is missing, in one transaction. Throws StoreRefused where a newer version of the program wrote the
-/// store and says that this one cannot use it, StoreError where another process holds the migration for a minute.
-void migrate(PostgresConnection& connection);
+/// Applies what is missing, step by step. Tries again where others are in the way of a step; throws StoreError, which
+/// leaves the steps before it, where they are for a minute. An index may take as long as it takes.
+void migrate(PostgresConnection& connection, std::span<const Migration> migrations = postgres_migrations());
 /// Throws StoreRefused where migrate() would change something.
 void require_up_to_date(PostgresConnection& connection);
 

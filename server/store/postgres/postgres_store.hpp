@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -45,7 +46,7 @@ struct PostgresOptions {
   /// Called, from any thread, with the jobs whose attempt a claim has found lost; expire() returns those that it finds.
   std::function<void(const std::vector<std::string>&)> lost = [](const std::vector<std::string>&) {};
   bool migrate = true;          ///< whether an older schema is brought up to date and partitions are made, or refused
-  std::string planned_by = {};  ///< version of the program, which results keep
+  std::string planned_by = {};  ///< version of the program, which jobs keep that it has ended
   int engine = api::engine_level;  ///< jobs that need a higher one are left to others
   /// Whether leases and deadlines are measured by the times that callers give, for tests. Otherwise the database's
   /// clock is the one of all processes.
@@ -119,13 +120,13 @@ class PostgresStore final : public Store {
     std::optional<bool> cancel_requested = {};  ///< what it is conditional on, too
     Fate to;
     std::int64_t now = 0;
-    std::uint64_t seen = 0;                    ///< last revision that clients were shown
-    std::int64_t leap = 1;                     ///< increase of the revision
-    std::int64_t not_made = 0;                 ///< attempts that are not counted
-    std::optional<std::int64_t> losses = {};   ///< losses after a lost attempt
-    std::optional<std::string> ended_by = {};  ///< name of the call
-    std::optional<std::string> result = {};    ///< packed result document
-    std::string planned_by = {};               ///< version of the program that made it
+    std::uint64_t seen = 0;                      ///< last revision that clients were shown
+    std::int64_t leap = 1;                       ///< increase of the revision
+    std::int64_t not_made = 0;                   ///< attempts that are not counted
+    std::optional<std::int64_t> losses = {};     ///< losses after a lost attempt
+    std::optional<std::string> ended_by = {};    ///< name of the call
+    std::optional<std::string> result = {};      ///< packed result document
+    std::optional<std::string> planned_by = {};  ///< version of the program that planned
   };
 
   /// Calls `work` with a connection. It is called again where two transactions were in each other's way, or, if `again`
@@ -161,10 +162,17 @@ class PostgresStore final : public Store {
   void write();
   void store_posts(std::vector<Post>& group);
   void store_group(PostgresConnection& connection, std::vector<Post*> group);
+  PostgresStatement statement_of(std::span<Post* const> posts) const;
+  std::optional<std::size_t> queued_count(std::size_t posts, std::size_t most);
+  std::size_t counted(std::size_t queued);
+  void counted_more(std::size_t posts);
 
   static PostgresStatement statement_of(const Step& step);
   static PostgresStatement lock_of(const std::string& id);
-  bool leave(const Step& step);
+  /// Returns whether a call of the attempt has ended its job in that state.
+  static bool ended(PostgresConnection& connection, const Attempt& attempt, api::JobState state);
+  /// Takes back the losses of attempts whose workers live, where they count.
+  static void take_back_losses(PostgresConnection& connection, const std::vector<Attempt>& attempts);
   static Statements cancel_of(const std::string& id, std::int64_t now);
   static PostgresStatement removal_of(const std::string& id);
   void store_piece(Statements& statements, const Attempt& attempt, const SeriesPiece& piece) const;
@@ -188,7 +196,11 @@ class PostgresStore final : public Store {
   std::atomic<bool> prepared_{false};  ///< whether the schema is up to date
   std::mutex ids_mutex_;
   Uuid7 ids_;
-  std::mutex claim_mutex_;         ///< one claim at a time: suspects run alone in a process
+  std::mutex queued_mutex_;
+  std::size_t queued_ = 0;  ///< jobs in the queue when they were counted, and own posts since; guarded by queued_mutex_
+  std::chrono::steady_clock::time_point queued_known_ =
+      std::chrono::steady_clock::time_point::min();  ///< when that was
+  std::mutex claim_mutex_;                           ///< one claim at a time: suspects run alone in a process
   bool claim_unknown_ = false;     ///< whether a claim failed that may have been carried out; guarded by claim_mutex_
   QueuePlace claimed_up_to_;       ///< the last claim; guarded by claim_mutex_, as the two below
   std::uint64_t known_queue_ = 0;  ///< value of queue_changes_ before it

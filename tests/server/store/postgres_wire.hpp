@@ -1,6 +1,6 @@
 #pragma once
 /// A proxy before the PostgreSQL server of the test program, which parts a commit from its answer: the server has
-/// carried it out, and the connection ends before the program hears of it.
+/// carried it out, and the connection ends before the program hears of it. It can change what both say, too.
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -41,6 +41,12 @@ class PostgresWire {
     text_ = text;
   }
   int parted() const { return parted_; }
+  /// Has `to` said in place of `from`, which has its length, over connections made from now on.
+  void replace(const std::string& from, const std::string& to) {
+    if (from.size() != to.size()) throw std::runtime_error("another length");
+    const std::lock_guard lock(mutex_);
+    replaced_.emplace_back(from, to);
+  }
 
  private:
   static sockaddr_un address(const std::string& folder) {
@@ -65,16 +71,27 @@ class PostgresWire {
     text_.clear();
     return true;
   }
+  static void change(std::string_view text, char* piece,
+                     const std::vector<std::pair<std::string, std::string>>& replaced) {
+    for (const auto& [from, to] : replaced)
+      for (std::size_t at = text.find(from); at != std::string_view::npos; at = text.find(from, at + 1))
+        to.copy(piece + at, to.size());
+  }
   void forward(int client) {
     const int server = socket(AF_UNIX, SOCK_STREAM, 0);
     bool open = connect(server, reinterpret_cast<const sockaddr*>(&server_), sizeof server_) == 0, parts = false;
     std::array<char, 1 << 16> piece{};
+    const auto replaced = [this] {
+      const std::lock_guard lock(mutex_);
+      return replaced_;
+    }();
     while (open && !stop_) {
       std::array<pollfd, 2> waits{pollfd{client, POLLIN, 0}, pollfd{server, POLLIN, 0}};
       if (poll(waits.data(), waits.size(), 20) <= 0) continue;
       for (std::size_t side = 0; side < 2 && open; ++side) {
         if (waits[side].revents == 0) continue;
         const ssize_t count = recv(waits[side].fd, piece.data(), piece.size(), 0);
+        if (count > 0) change({piece.data(), static_cast<std::size_t>(count)}, piece.data(), replaced);
         if (side == 0 && count > 0) parts = parts || wanted({piece.data(), static_cast<std::size_t>(count)});
         if (side == 1 && parts) ++parted_;
         open = count > 0 && !(side == 1 && parts) &&
@@ -93,6 +110,7 @@ class PostgresWire {
   std::atomic<int> parted_{0};
   std::mutex mutex_;
   std::string text_;
+  std::vector<std::pair<std::string, std::string>> replaced_;
   std::thread thread_;
   std::vector<std::thread> connections_;  ///< used by thread_ alone until it has ended
 };
