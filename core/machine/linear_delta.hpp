@@ -53,9 +53,8 @@ class LinearDelta final : public FormulaKinematics<LinearDelta> {
       if (away <= most) continue;
       char text[240];
       std::snprintf(text, sizeof text,
-                    "the tool would be %.6g mm from column %c, the rods move it freely up to %.6g mm; move the contour "
-                    "or the origin",
-                    away, "ABC"[k], most);
+                    "the tool would be %.6g mm from column %c, the rods move it freely up to %.6g mm", away, "ABC"[k],
+                    most);
       throw UnreachablePose(text, std::numeric_limits<double>::quiet_NaN(), pose.coordinates());
     }
   }

@@ -38,7 +38,7 @@ class PolarMachine final : public FormulaKinematics<PolarMachine> {
     char text[240];
     std::snprintf(text, sizeof text,
                   "the tool would be %.4g mm from the table's axis, where theta has no definite value (least_radius: "
-                  "%.4g mm); move the contour or the origin",
+                  "%.4g mm)",
                   std::isnan(q[1]) ? 0 : q[1], sizes_.least_radius);
     throw UnreachablePose(text, std::numeric_limits<double>::quiet_NaN(), pose.coordinates());
   }

@@ -63,9 +63,7 @@ class RotaryDelta final : public FormulaKinematics<RotaryDelta> {
       if (bend >= sizes_.least_bend && bend <= std::numbers::pi - sizes_.least_bend) continue;
       char text[240];
       std::snprintf(text, sizeof text,
-                    "arm %zu and its rods would be in one line, out of reach or singular (least_bend); move the "
-                    "contour or the origin",
-                    k + 1);
+                    "arm %zu and its rods would be in one line, out of reach or singular (least_bend)", k + 1);
       throw UnreachablePose(text, std::numeric_limits<double>::quiet_NaN(), pose.coordinates());
     }
   }

@@ -56,9 +56,8 @@ class ScaraMachine final : public FormulaKinematics<ScaraMachine> {
     const auto reach = [&](double angle) { return std::sqrt(l1 * l1 + l2 * l2 + 2 * l1 * l2 * std::cos(angle)); };
     char text[240];
     std::snprintf(text, sizeof text,
-                  "the tool would be %.6g mm from the shoulder, the arms move freely from %.6g to %.6g mm; move the "
-                  "contour or the origin",
-                  r, reach(std::numbers::pi - sizes_.least_bend), reach(sizes_.least_bend));
+                  "the tool would be %.6g mm from the shoulder, the arms move freely from %.6g to %.6g mm", r,
+                  reach(std::numbers::pi - sizes_.least_bend), reach(sizes_.least_bend));
     throw UnreachablePose(text, std::numeric_limits<double>::quiet_NaN(), pose.coordinates());
   }
   ToolPose forward(const AxisArray& q) const override {

@@ -213,7 +213,9 @@ void check_contour(const Contour& contour, ContourJob& job) {
   const std::size_t source = contour.path[contour.path.find(pose.path_length >= 0 ? pose.path_length : 0)].source();
   std::snprintf(text, sizeof text, "%s %zu, at x %.6g, y %.6g, z %.6g mm: ", job.program ? "line" : "segment", source,
                 pose.pose[0], pose.pose[1], pose.pose[2]);
-  throw InvalidInput({{{"contour"}, std::string(text) + pose.what()}});
+  throw InvalidInput(
+      {{{"contour"},
+        std::string(text) + pose.what() + "; move the contour, the machine's origin or the ends of the range"}});
 }
 
 /// Throws InvalidInput naming the place at which the machine cannot follow the contour, as it is given.

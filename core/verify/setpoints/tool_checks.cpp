@@ -45,12 +45,25 @@ class ToolRows final : public RowCheck {
     const Vec here = place(row, 0), before = place(row, -h), after = place(row, h);
     const double s = row[s_column_];
     segment_ = in_.path.find(s, segment_);
-    const PathPoint wanted = in_.path[segment_].at(s);
-    position_.raise(norm(here - wanted.value - Vec{0, 0, in_.height}), tolerance, t);
     const Vec speed = (after - before) / (2 * h), bent = (after - 2 * here + before) / (h * h);
-    velocity_.raise(norm(speed - v * wanted.d1), relative * v + least_speed, t);
-    const Vec across = bent - dot(bent, wanted.d1) * wanted.d1;
-    acceleration_.raise(norm(across - v * v * wanted.d2), relative * (norm(bent) + v * v) + least_acceleration, t);
+    const double most_velocity = relative * v + least_speed,
+                 most_acceleration = relative * (norm(bent) + v * v) + least_acceleration;
+    Difference off = against(segment_, s, v, here, speed, bent);
+    const auto strain = [&](const Difference& d) {
+      return std::max(d.velocity / most_velocity, d.acceleration / most_acceleration);
+    };
+    const auto offer = [&](std::size_t segment, double place) {
+      const Difference other = against(segment, place, v, here, speed, bent);
+      if (strain(other) < strain(off)) off = other;
+    };
+    // Where segments meet the row may be on the end of either, by rounding of s.
+    constexpr double rounding = 1e-9;  // mm
+    const Segment& segment = in_.path[segment_];
+    if (segment_ > 0 && s - segment.s0() < rounding) offer(segment_ - 1, segment.s0());
+    if (segment_ + 1 < in_.path.size() && segment.s1() - s < rounding) offer(segment_ + 1, segment.s1());
+    position_.raise(off.position, tolerance, t);
+    velocity_.raise(off.velocity, most_velocity, t);
+    acceleration_.raise(off.acceleration, most_acceleration, t);
     Vec told = here;
     for (std::size_t k = 0; k < in_.coordinates; ++k) told[k] = row[tool_column_[k]];
     pose_.raise(norm(here - told), tolerance, t);
@@ -63,6 +76,17 @@ class ToolRows final : public RowCheck {
   }
 
  private:
+  /// Differences of the tool from the contour.
+  struct Difference {
+    double position, velocity;
+    double acceleration;  ///< across the path
+  };
+  Difference against(std::size_t segment, double s, double v, Vec here, Vec speed, Vec bent) const {
+    const PathPoint wanted = in_.path[segment].at(s);
+    const Vec across = bent - dot(bent, wanted.d1) * wanted.d1;
+    return {norm(here - wanted.value - Vec{0, 0, in_.height}), norm(speed - v * wanted.d1),
+            norm(across - v * v * wanted.d2)};
+  }
   Vec place(const double* row, double h) const {
     AxisArray q{};
     for (std::size_t k = 0; k < axes_; ++k)
