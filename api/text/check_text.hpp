@@ -82,7 +82,7 @@ inline std::string general_name(const Checked& what, double limit) {
     case half_speed_feed:
       return "half-speed feed";
     case tip_position:
-      return "forward kinematics position";
+      return "forward kinematics " + of;
     case tip_angle:
       return "forward kinematics angle";
     case clearance:

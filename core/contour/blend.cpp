@@ -31,13 +31,9 @@ constexpr std::size_t progress_step = 256;
 
 class Blender {
  public:
-  Blender(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress, double from,
-          double to, std::vector<BlendSection>* sections)
-      : given_(given),
-        options_(options),
-        machine_(machine),
-        progress_(progress, "blend", from, to),
-        sections_(sections) {
+  Blender(const Contour& given, const BlendOptions& options, const ToolLimitsMap& limits, Progress& progress,
+          double from, double to, std::vector<BlendSection>* sections)
+      : given_(given), options_(options), limits_(limits), progress_(progress, "blend", from, to), sections_(sections) {
     result_.dimension = given.dimension;
     result_.height = given.height;
     rest_ = given.rest_places();
@@ -101,19 +97,12 @@ class Blender {
         std::min(1.0, static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(1, given_.path.size()))));
     progress_.report();
   }
-  Ability ability(std::size_t block) const {
-    Ability a{0, HUGE_VAL, HUGE_VAL, 0};
-    double square = 0, pull = 0;
-    for (const AxisLimits& axis : machine_.axes) {
-      pull += axis.acceleration * axis.acceleration;
-      square += axis.velocity * axis.velocity;
-      a.acceleration = std::min(a.acceleration, axis.acceleration);
-      a.jerk = std::min(a.jerk, axis.jerk);
-    }
-    a.speed = std::min(std::sqrt(square), fastest);
-    if (!given_.blocks.empty()) a.speed = std::min(a.speed, given_.blocks[block].feed);
-    a.step = a.speed * machine_.cycle_time;
-    a.pull = std::sqrt(pull);
+  Ability ability(const Element& element) const {
+    const ToolLimits tool = limits_.at([&] { return element.at(0).value; });
+    Ability a{std::min(tool.speed, fastest), tool.acceleration, tool.jerk, 0};
+    if (!given_.blocks.empty()) a.speed = std::min(a.speed, given_.blocks[element.block].feed);
+    a.step = a.speed * limits_.cycle_time;
+    a.pull = tool.pull;
     a.corner = options_.corner_angle;
     return a;
   }
@@ -121,7 +110,7 @@ class Blender {
   void process(const ElementRun& stretch, int depth) {
     std::vector<Ability> abilities;
     abilities.reserve(stretch.elements.size());
-    for (const Element& e : stretch.elements) abilities.push_back(ability(e.block));
+    for (const Element& e : stretch.elements) abilities.push_back(ability(e));
     const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities, progress_);
     double at = 0;
     std::size_t hint = 0;
@@ -302,7 +291,7 @@ class Blender {
 
   const Contour& given_;
   const BlendOptions& options_;
-  const Machine& machine_;
+  const ToolLimitsMap& limits_;
   ProgressScope progress_;
   std::vector<std::size_t> block_, owner_;
   std::vector<bool> rest_;
@@ -316,11 +305,11 @@ class Blender {
 
 }  // namespace
 
-Contour blend(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress,
+Contour blend(const Contour& given, const BlendOptions& options, const ToolLimitsMap& limits, Progress& progress,
               double from, double to, std::vector<BlendSection>* sections) {
   if (!(options.tolerance >= min_tolerance && options.tolerance <= max_tolerance))
     throw InvalidInput({{{"planning", "corner", "tolerance"}, "the tolerance has to be 1e-5 to 1e3 mm"}});
-  return Blender(given, options, machine, progress, from, to, sections).run();
+  return Blender(given, options, limits, progress, from, to, sections).run();
 }
 
 }  // namespace bahnwerk

@@ -12,6 +12,7 @@
 ///
 /// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp). A
 /// machine needs nothing else and is one file.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numbers>
@@ -88,7 +89,7 @@ class FormulaKinematics : public Kinematics {
     const auto angle = [](const AngleJet& a) { return T::from(a.value, a.d1, a.d2, a.d3); };
     const auto q = self().solve(NeedleOf<T>{along(0), along(1), along(2), angle(tool.phi), angle(tool.psi)});
     AxisJet jet;
-    for (std::size_t k = 0; k < q.size(); ++k) {
+    for (std::size_t k = 0; k < count(q.size()); ++k) {
       jet.value[k] = q[k].value();
       jet.d1[k] = q[k].derivative(1), jet.d2[k] = q[k].derivative(2), jet.d3[k] = q[k].derivative(3);
     }
@@ -98,7 +99,7 @@ class FormulaKinematics : public Kinematics {
   bool enclose(const ToolDiscs& tool, AxisDiscs& axes) const override {
     const auto q = self().solve(NeedleOf<DiscJet>{tool[0], tool[1], tool[2], tool[3], tool[4]});
     bool known = true;
-    for (std::size_t k = 0; k < q.size(); ++k) {
+    for (std::size_t k = 0; k < count(q.size()); ++k) {
       axes.d1[k] = q[k].derivative(1), axes.d2[k] = q[k].derivative(2), axes.d3[k] = q[k].derivative(3);
       known = known && axes.d1[k].known() && axes.d2[k].known() && axes.d3[k].known();
     }
@@ -114,7 +115,7 @@ class FormulaKinematics : public Kinematics {
     const auto q = self().solve(NeedleOf<M>{along(p.x), along(p.y), along(p.z), angle(centre.phi), angle(centre.psi)});
     MapBounds bounds;
     for (std::size_t n = 1; n <= 4; ++n)
-      for (std::size_t k = 0; k < q.size(); ++k) bounds.order[n - 1][k] = q[k].derivative(n);
+      for (std::size_t k = 0; k < count(q.size()); ++k) bounds.order[n - 1][k] = q[k].derivative(n);
     return bounds;
   }
 
@@ -122,6 +123,8 @@ class FormulaKinematics : public Kinematics {
   explicit FormulaKinematics(std::vector<AxisLimits> axes) : axes_(std::move(axes)) {}
 
  private:
+  /// Returns the number of axes in use: a formula may give one more, the height, than a machine for the plane has.
+  std::size_t count(std::size_t formulas) const { return std::min(formulas, axes_.size()); }
   const Machine& self() const { return static_cast<const Machine&>(*this); }
 
   std::vector<AxisLimits> axes_;

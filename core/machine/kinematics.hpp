@@ -17,6 +17,11 @@ struct MapBounds {
   std::array<AxisArray, 4> order{};
 };
 
+/// Axis k of a linear machine is rows[k] · p for the tool's position p, mm.
+struct LinearMap {
+  std::array<Vec, max_axes> rows{};
+};
+
 /// Immutable and thread-safe.
 class Kinematics {
  public:
@@ -25,6 +30,8 @@ class Kinematics {
   virtual const std::vector<AxisLimits>& axes() const = 0;
   /// Returns the length that one radian of the tool's angles counts as, mm; 0: the machine ignores the angles.
   virtual double lever() const { return 0; }
+  /// Returns the map if all axes are linear in the tool's position; null: they are not.
+  virtual const LinearMap* linear() const { return nullptr; }
   /// Returns the period of an axis: positions that differ by it are one place of the machine, and inverse() returns any
   /// of them. 0: none.
   virtual double period(std::size_t axis) const {

@@ -71,7 +71,7 @@ double size_of(const std::vector<Vec>& points) {
 }
 
 /// Returns the largest magnitude along a direction that no axis' component exceeds.
-double along(Vec direction, const Machine& machine, int order, std::size_t axes) {
+double along(const AxisArray& direction, const Machine& machine, int order, std::size_t axes) {
   double most = unlimited;
   for (std::size_t k = 0; k < axes; ++k)
     if (direction[k] != 0) most = std::min(most, machine.axes[k].of(order) / std::abs(direction[k]));
@@ -119,10 +119,10 @@ Outline outline(const std::vector<Vec>& points, std::size_t most, Progress& prog
   }
 }
 
-DurationEstimate estimate_duration(const Contour& contour, const Machine& machine, double corner_angle,
-                                   Progress& progress) {
+DurationEstimate estimate_duration(const Contour& contour, const AxisPath& follows, const Machine& machine,
+                                   double corner_angle, Progress& progress) {
   const Path& path = contour.path;
-  const std::size_t n = path.size(), axes = std::min(machine.dimension(), contour.dimension);
+  const std::size_t n = path.size(), axes = std::min(machine.dimension(), follows.axes());
   const std::vector<double> feeds = contour.feeds();
   const std::vector<bool> rests = contour.rest_places();
   std::vector<Stretch> stretches(n);
@@ -134,16 +134,15 @@ DurationEstimate estimate_duration(const Contour& contour, const Machine& machin
     Stretch& s = stretches[i];
     s.length = segment.length(), s.speed = feeds[i], s.acceleration = unlimited;
     const Curve& curve = segment.curve();
-    const PathPoint begin = segment.at_parameter(curve.begin()), end = segment.at_parameter(curve.end());
-    const PathPoint middle = segment.at_parameter((curve.begin() + curve.end()) / 2);
-    for (const PathPoint& p : {begin, middle, end}) {
+    for (const double u : {curve.begin(), (curve.begin() + curve.end()) / 2, curve.end()}) {
+      const AxisJet p = follows.at_parameter(i, u);
       s.speed = std::min(s.speed, along(p.d1, machine, 1, axes));
       s.acceleration = std::min(s.acceleration, along(p.d1, machine, 2, axes));
       s.speed = std::min(s.speed, std::sqrt(along(p.d2, machine, 2, axes)));
     }
-    if (i > 0 && !rests[i] && angle_between(before, begin.d1) <= corner_angle)
+    if (i > 0 && !rests[i] && angle_between(before, segment.at_parameter(curve.begin()).d1) <= corner_angle)
       speed[i] = std::min(stretches[i - 1].speed, s.speed);
-    before = end.d1;
+    before = segment.at_parameter(curve.end()).d1;
   }
   const auto reach = [&](double v, const Stretch& s) { return std::sqrt(v * v + 2 * s.acceleration * s.length); };
   for (std::size_t i = 0; i < n; ++i) speed[i + 1] = std::min(speed[i + 1], reach(speed[i], stretches[i]));

@@ -5,6 +5,7 @@
 
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/axes/axis_path.hpp"
 
 namespace bahnwerk {
 
@@ -30,8 +31,9 @@ struct DurationEstimate {
 };
 /// Returns the time of a motion that accelerates and brakes within every segment as its chord permits, holds feeds and,
 /// by the sharpest bend between a segment's ends, the acceleration across; it rests in corners of more than
-/// `corner_angle` rad. Jerk limits are not counted. Within about a fifth of the plan of minimum time. O(segments).
-DurationEstimate estimate_duration(const Contour& contour, const Machine& machine, double corner_angle,
-                                   Progress& progress);
+/// `corner_angle` rad. `axes` follow the contour, with the limits of `machine`. Jerk limits are not counted. Within
+/// about a fifth of the plan of minimum time. O(segments).
+DurationEstimate estimate_duration(const Contour& contour, const AxisPath& axes, const Machine& machine,
+                                   double corner_angle, Progress& progress);
 
 }  // namespace bahnwerk

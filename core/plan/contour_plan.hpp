@@ -9,13 +9,14 @@
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
-#include "core/machine/machine.hpp"
+#include "core/machine/tool_machine.hpp"
 #include "core/plan/contour/section_gaps.hpp"
 #include "core/plan/method_options.hpp"
 #include "core/plan/slow_lines.hpp"
 
 namespace bahnwerk {
 
+class ContourAxes;
 class PathMotion;
 class Progress;
 
@@ -57,6 +58,8 @@ struct ContourPlan {
   std::shared_ptr<const Contour> path;  ///< the driven contour, after blending
   /// The motion that the setpoints sample; null where coarse and fine axes have it (CoarseFinePlan::head).
   std::shared_ptr<const PathMotion> motion;
+  std::shared_ptr<const ContourAxes>
+      axes;  ///< how the motion's axes follow the contour; null with coarse and fine axes
   Verification verification;
   Bound bound;
   double duration = 0, cut_time = 0, position_time = 0;  ///< s, planned
@@ -76,14 +79,20 @@ struct ContourPlan {
 /// A planar contour may run on a machine with more axes: those stand still in every setpoint and affect neither plan
 /// nor bound.
 ///
+/// A machine with kinematics follows the contour by its axes (core/plan/contour/contour_axes.hpp): their limits hold,
+/// setpoints have axes and tool, and the verification compares both by the machine's forward kinematics
+/// (core/verify/setpoints/tool_checks.hpp). Limits of path and feeds are the tool's. Throws UnreachablePose where it
+/// does not reach, or is singular.
+///
 /// With CornerMode::blend the contour is rounded first where that makes it quicker
 /// (core/plan/contour/rounding_choice.hpp), and the verification includes its deviation from the given contour. Cost,
 /// errors and checks are those of the pipeline (core/plan/path_plan.hpp); in addition it is verified that the motion
 /// rests where, and as long as, the contour requires.
 ///
 /// Also throws InvalidInput naming every fault of machine and planning (core/plan/contour/contour_faults.hpp).
-ContourPlan plan_contour(Contour contour, const Machine& machine, const ContourPlanning& planning, Progress& progress);
+ContourPlan plan_contour(Contour contour, const ToolMachine& machine, const ContourPlanning& planning,
+                         Progress& progress);
 /// Plans without a progress report.
-ContourPlan plan_contour(Contour contour, const Machine& machine, const ContourPlanning& planning = {});
+ContourPlan plan_contour(Contour contour, const ToolMachine& machine, const ContourPlanning& planning = {});
 
 }  // namespace bahnwerk

@@ -17,6 +17,7 @@ void run(const std::string& what) {
   speeds_on_window(what + "/speed_window.svg");
   bracket_in_colour(what + "/bracket.svg");
   use_on_window(what + "/axis_use.svg");
+  machines_along_the_bracket(what + "/contour_machines.svg");
   straight_moves(what + "/straight_moves.svg");
   plate_in_colour(what + "/plate.svg");
   use_on_plate(what + "/plate_use.svg");

@@ -11,6 +11,9 @@ void bracket_in_colour(const std::string& file);
 void use_on_window(const std::string& file);
 void convergence_tables();
 
+// docs/methods/contour_machines.md
+void machines_along_the_bracket(const std::string& file);
+
 // docs/methods/motion.md
 void straight_moves(const std::string& file);
 void plate_in_colour(const std::string& file);

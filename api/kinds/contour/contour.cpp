@@ -15,9 +15,12 @@
 #include "api/kinds/contour/contour_scene.hpp"
 #include "api/verification.hpp"
 #include "api/views/segments.hpp"
+#include "core/base/borrowed.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
+#include "core/motion/setpoints/tool_setpoints.hpp"
 #include "core/plan/coarse_fine/axis_drawing.hpp"
+#include "core/plan/contour/contour_axes.hpp"
 #include "core/plan/contour/contour_faults.hpp"
 #include "core/plan/contour/driven_segments.hpp"
 #include "core/plan/contour_drawing.hpp"
@@ -156,7 +159,7 @@ void throw_if_any(std::vector<InputFault> faults) {
 /// The request of a job, with all checks that do not need its geometry.
 struct ContourJob {
   std::optional<CoarseFineMachine> coarse_fine;
-  Machine head;  ///< the machine; of coarse and fine axes the sums
+  ToolMachine head;  ///< the machine; of coarse and fine axes the sums
   ContourPlanning planning;
   RedundancyOptions redundancy;
   std::vector<StudyRequest> studies;
@@ -204,7 +207,29 @@ void check_contour(const Contour& contour, ContourJob& job) {
     job.unused.push_back(std::move(note));
 }
 
-/// The plan: along Cartesian axes, or with coarse and fine ones and possibly a study of machines.
+/// Throws InvalidInput where the machine cannot follow, with the line of the program or the number of the segment.
+[[noreturn]] void unreachable(const ContourJob& job, const Contour& contour, const UnreachablePose& pose) {
+  char text[120];
+  const std::size_t source = contour.path[contour.path.find(pose.path_length >= 0 ? pose.path_length : 0)].source();
+  std::snprintf(text, sizeof text, "%s %zu, at x %.6g, y %.6g, z %.6g mm: ", job.program ? "line" : "segment", source,
+                pose.pose[0], pose.pose[1], pose.pose[2]);
+  throw InvalidInput(
+      {{{"contour"},
+        std::string(text) + pose.what() + "; move the contour, the machine's origin or the ends of the range"}});
+}
+
+/// Throws InvalidInput naming the place at which the machine cannot follow the contour, as it is given.
+void check_reach(const ContourJob& job) {
+  if (job.head.cartesian()) return;
+  try {
+    const auto contour = borrowed(job.contour);
+    ContourAxes(contour, job.head).along(contour);
+  } catch (const UnreachablePose& pose) {
+    unreachable(job, job.contour, pose);
+  }
+}
+
+/// The plan: along the machine's axes, or with coarse and fine ones and possibly a study of machines.
 struct Planned {
   ContourPlan contour;
   std::optional<CoarseFinePlan> coarse_fine;  ///< has its own `contour`
@@ -243,9 +268,9 @@ Planned plan_with_fine_axes(const ContourJob& job, Progress& progress) {
   return planned;
 }
 
-/// Returns the machine with the limits that the job's method holds.
+/// Returns the machine with the limits that the job's method holds, in the units of setpoints.
 Machine limits_held(const ContourJob& job) {
-  Machine machine = job.head;
+  Machine machine = in_degrees(job.head);
   if (!method_row(job.planning.method).limits_jerk)
     for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
   return machine;
@@ -285,7 +310,9 @@ std::shared_ptr<const SegmentTable> table_of(const std::vector<DrivenSegment>& s
 /// Returns what the motion of the setpoints drives when.
 std::shared_ptr<const SegmentTable> segments(const ContourPlan& plan, const ContourJob& job, const TimeLaw& law,
                                              Progress& progress) {
-  return table_of(driven_segments(*plan.path, job.head, law, progress), job.program);
+  const auto axes = plan.axes ? plan.axes : std::make_shared<const ContourAxes>(plan.path, job.head);
+  return table_of(driven_segments(*plan.path, *axes->along(plan.path).moving, axes->machine(), law, progress),
+                  job.program);
 }
 
 struct ContourKind {
@@ -298,6 +325,7 @@ struct ContourKind {
     ContourJob job = read_contour_job(spec);
     job.contour = geometry(spec, progress);
     check_contour(job.contour, job);
+    check_reach(job);
     return job;
   }
 
@@ -322,7 +350,10 @@ struct ContourKind {
   }
 
   static std::shared_ptr<const SegmentTable> document_segments(const ContourJob& job, Progress& progress) {
-    return table_of(bahnwerk::document_segments(job.contour, job.head, progress), job.program);
+    const ContourAxes axes(borrowed(job.contour), job.head);
+    return table_of(
+        bahnwerk::document_segments(job.contour, *axes.along(borrowed(job.contour)).moving, axes.machine(), progress),
+        job.program);
   }
 
   /// A contour has a scene where coarse and fine axes move in space.
@@ -336,7 +367,9 @@ struct ContourKind {
   }
 
   static ordered_json preview(const ContourJob& job, Progress& progress) {
-    const DurationEstimate time = estimate_duration(job.contour, job.head, job.planning.corner_angle, progress);
+    const ContourAxes axes(borrowed(job.contour), job.head);
+    const DurationEstimate time = estimate_duration(job.contour, *axes.along(borrowed(job.contour)).moving,
+                                                    axes.machine(), job.planning.corner_angle, progress);
     const Outline shape = outline(job.contour, max_outline, progress);
     ordered_json vertices = ordered_json::array(), cut = ordered_json::array();
     for (std::size_t i = 0; i < shape.vertices.size(); ++i) {

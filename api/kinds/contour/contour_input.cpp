@@ -242,18 +242,6 @@ Contour geometry(const json& spec) {
   return geometry(spec, silent);
 }
 
-Machine machine(const json& spec) {
-  const auto& document = spec["machine"];
-  Machine machine;
-  machine.cycle_time = document.value("cycle_time", 0.001);
-  for (const char* name : {"x", "y", "z"}) {
-    const auto& axes = document["axes"];
-    if (!axes.contains(name)) continue;
-    machine.axes.emplace_back(name, read_limits(axes[name]));
-  }
-  return machine;
-}
-
 ContourPlanning planning(const json& spec) {
   ContourPlanning planning;
   if (!spec.contains("planning")) return planning;

@@ -5,6 +5,7 @@
 /// neither large coordinates nor a parameter far from 0 cost digits. Power-basis rounding grows like 2.4ⁿ ε at worst
 /// (degree 5: 80 ε, degree 16: 1e6 ε), and with the ratio of the weights. Evaluation is Horner's scheme with
 /// derivatives; its cost is measured by tests/bench/bench_curve.cpp.
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -40,6 +41,8 @@ class Rational final : public Curve {
   /// lowest coefficients 1 … `vanishing` are set to exactly 0, which makes the parametric tangent vanish to that order
   /// at the pivot, an end, with full relative accuracy around it.
   Rational restricted(double u0, double u1, double pivot, std::size_t vanishing = 0) const;
+  /// Returns the image under p ↦ (rows · p) + offset with orthonormal rows. The parameter is unchanged.
+  Rational mapped(const std::array<Vec, 3>& rows, Vec offset) const;
   /// Returns the order of the zero of dh/du at an end (0: none), as set by restricted(). The tangent vanishes at one
   /// end at most.
   std::size_t vanishing_begin() const { return pivot_ == begin_ ? vanishing_ : 0; }

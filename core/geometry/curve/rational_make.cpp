@@ -158,6 +158,18 @@ Rational Rational::restricted(double u0, double u1, double pivot, std::size_t va
   return r;
 }
 
+Rational Rational::mapped(const std::array<Vec, 3>& rows, Vec offset) const {
+  Polynomial n[3];
+  Vec origin = offset;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t k = 0; k <= degree_; ++k) n[axis].push_back(dot(rows[axis], numerator(k)));
+    origin[axis] += dot(rows[axis], origin_);
+  }
+  Rational r = build(n, weight(), origin, begin_, end_, pivot_, reach_, noise_);
+  r.vanishing_ = vanishing_;
+  return r;
+}
+
 Rational Rational::straightened() const {
   const Vec most = longest();
   if (norm(most) == 0) return *this;

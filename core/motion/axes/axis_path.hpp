@@ -119,7 +119,9 @@ class KinematicAxisPath final : public AxisPath {
   KinematicAxisPath(const Path& tool, const Kinematics& kinematics,
                     std::shared_ptr<const Orientation> orientation = nullptr)
       : KinematicAxisPath(borrowed(tool), borrowed(kinematics), std::move(orientation)) {}
-  bool linear(std::size_t) const override { return false; }
+  bool linear(std::size_t segment) const override {
+    return kinematics_.linear() != nullptr && tool()[segment].straight();
+  }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override;
   MapBounds map_bounds(std::size_t segment, double u, double radius) const override {

@@ -15,6 +15,12 @@ bool limits_jerk(const Machine& machine, std::size_t axes) {
                      [](const AxisLimits& axis) { return axis.jerk < unlimited; });
 }
 
+/// Returns the place of a missing limit of jerk: that of the first axis on a Cartesian machine, else all axes.
+std::vector<std::string> jerk_place(const Machine& machine) {
+  if (!machine.axes.empty() && machine.axes.front().name != "x") return {"machine", "axes"};
+  return {"machine", "axes", "x", "jerk"};
+}
+
 }  // namespace
 
 std::vector<InputFault> machine_faults(const Machine& machine) {
@@ -43,9 +49,9 @@ void check_axes(const Contour& contour, const Machine& head, const char* member,
                       k < 2 ? "is required: the contour moves it" : "is required: the contour is in space"});
 }
 
-double shortest_time(const Contour& contour, const Machine& head) {
-  double fastest = 0, time = contour.dwell();
-  for (std::size_t k = 0; k < std::min(head.dimension(), contour.dimension); ++k)
+double shortest_time(const Contour& contour, const ToolMachine& head) {
+  double fastest = head.cartesian() ? 0 : unlimited, time = contour.dwell();
+  for (std::size_t k = 0; head.cartesian() && k < std::min(head.dimension(), contour.dimension); ++k)
     fastest += head.axes[k].velocity * head.axes[k].velocity;
   fastest = std::sqrt(fastest);
   for (const auto& block : contour.blocks)
@@ -72,7 +78,7 @@ std::vector<InputFault> planning_faults(const Machine& machine, const ContourPla
   std::vector<InputFault> faults;
   const bool smooth = method_row(planning.method).limits_jerk;
   if (smooth && !limits_jerk(machine, machine.dimension()) && !(planning.along.jerk < unlimited))
-    faults.push_back({{"machine", "axes", "x", "jerk"}, "is required by method jerk_limited, of one axis at least"});
+    faults.push_back({jerk_place(machine), "is required by method jerk_limited, of one axis at least"});
   const Limits& path = planning.along;
   if (!smooth && std::min({path.velocity, path.acceleration, path.jerk}) < unlimited)
     faults.push_back(
@@ -81,15 +87,18 @@ std::vector<InputFault> planning_faults(const Machine& machine, const ContourPla
   return faults;
 }
 
-std::vector<InputFault> contour_faults(const Contour& contour, const Machine& machine,
+std::vector<InputFault> contour_faults(const Contour& contour, const ToolMachine& machine,
                                        const ContourPlanning& planning) {
   std::vector<InputFault> faults;
   if (contour.path.empty()) faults.push_back({{"contour"}, "has no segments"});
-  check_axes(contour, machine, "axes", faults);
+  if (machine.cartesian())
+    check_axes(contour, machine, "axes", faults);
+  else if (machine.coordinates < contour.dimension)
+    faults.push_back({{"machine", "axes"}, "need one that moves z: the contour is in space"});
   if (method_row(planning.method).limits_jerk && !(planning.along.jerk < unlimited) &&
-      !limits_jerk(machine, contour.dimension))
-    faults.push_back({{"machine", "axes", "x", "jerk"},
-                      "is required by method jerk_limited, of one axis at least that the contour moves"});
+      !limits_jerk(machine, machine.cartesian() ? contour.dimension : machine.dimension()))
+    faults.push_back(
+        {jerk_place(machine), "is required by method jerk_limited, of one axis at least that the contour moves"});
   check_setpoints(shortest_time(contour, machine), machine, planning.max_setpoints, faults);
   return faults;
 }

@@ -13,7 +13,8 @@ constexpr double report_jump = 1e-9;  // rad; below it a tangent jump is roundin
 
 std::string still_note(const AxisLimits& axis, double height) {
   char text[120];
-  std::snprintf(text, sizeof text, "axis %s stands still at %.6g mm: the contour is planar", axis.name.c_str(), height);
+  std::snprintf(text, sizeof text, "axis %s stands still at %.6g %s: the contour is planar", axis.name.c_str(), height,
+                axis.unit == "rad" ? "deg" : axis.unit.c_str());
   return text;
 }
 
@@ -30,8 +31,11 @@ void report_blocks(const Contour& contour, const TimeLaw& sampled, double factor
   }
 }
 
-void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& sampled, double factor, double corner_angle,
-                   ContourPlan& plan, Progress& progress, double progress_at) {
+namespace {
+/// `step(joint)` returns the step of q′ of each axis.
+template <class Step>
+void add_joints(const Contour& contour, const Step& step, const TimeLaw& sampled, double factor, double corner_angle,
+                ContourPlan& plan, Progress& progress, double progress_at) {
   std::size_t i = 0;
   const auto& pieces = sampled.pieces();
   const std::vector<bool> rest = contour.rest_places();
@@ -41,9 +45,45 @@ void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& samp
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
     if (rest[joint.next]) continue;
     if (i == pieces.size()) break;
-    SmallJoint report{joint.s, joint.angle, factor * pieces[i].v, {}};
-    for (std::size_t k = 0; k < axes; ++k) report.step.push_back(joint.step[k] * report.velocity);
+    SmallJoint report{joint.s, joint.angle, factor * pieces[i].v, step(joint)};
+    for (double& each : report.step) each *= report.velocity;
     plan.joints.push_back(std::move(report));
+  }
+}
+}  // namespace
+
+void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& sampled, double factor, double corner_angle,
+                   ContourPlan& plan, Progress& progress, double progress_at) {
+  const auto step = [&](const Joint& joint) {
+    std::vector<double> steps;
+    for (std::size_t k = 0; k < axes; ++k) steps.push_back(joint.step[k]);
+    return steps;
+  };
+  add_joints(contour, step, sampled, factor, corner_angle, plan, progress, progress_at);
+}
+
+void report_joints(const Contour& contour, const AxisPath& axes, const std::vector<double>& shown,
+                   const TimeLaw& sampled, double factor, double corner_angle, ContourPlan& plan, Progress& progress,
+                   double progress_at) {
+  if (shown.empty())
+    return report_joints(contour, axes.axes(), sampled, factor, corner_angle, plan, progress, progress_at);
+  const auto step = [&](const Joint& joint) {
+    const AxisJet before = axes.at_parameter(joint.next - 1, axes[joint.next - 1].curve().end()),
+                  after = axes.at_parameter(joint.next, axes[joint.next].curve().begin());
+    std::vector<double> steps;
+    for (std::size_t k = 0; k < axes.axes(); ++k) steps.push_back(shown[k] * (after.d1[k] - before.d1[k]));
+    return steps;
+  };
+  add_joints(contour, step, sampled, factor, corner_angle, plan, progress, progress_at);
+}
+
+void note_still_axes(const AxisPath& axes, const std::vector<double>& shown, const Machine& machine,
+                     ContourPlan& plan) {
+  const AxisArray rates = largest_rates(axes);
+  for (std::size_t k = 0; k < axes.axes(); ++k) {
+    if (rates[k] > 0) continue;
+    const double at = shown[k] * axes.at_parameter(0, axes[0].curve().begin()).value[k];
+    plan.notes.push_back(still_note(machine.axes[k], at));
   }
 }
 

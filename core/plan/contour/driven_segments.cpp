@@ -11,29 +11,31 @@ namespace bahnwerk {
 namespace {
 
 /// Returns the time per length at which no axis is faster than it may be, s/mm.
-double least_pace(Vec tangent, const Machine& machine, std::size_t axes) {
+double least_pace(const AxisArray& tangent, const Machine& machine, std::size_t axes) {
   double pace = 0;
   for (std::size_t k = 0; k < axes; ++k)
     if (std::isfinite(machine.axes[k].velocity)) pace = std::max(pace, std::abs(tangent[k]) / machine.axes[k].velocity);
   return pace;
 }
 
-double time_at_axis_velocity(const Segment& segment, const Machine& machine, std::size_t axes) {
-  const Curve& curve = segment.curve();
-  if (segment.straight()) return segment.length() * least_pace(segment.at_parameter(curve.begin()).d1, machine, axes);
+double time_at_axis_velocity(const AxisPath& path, std::size_t index, const Machine& machine) {
+  const Segment& segment = path[index];
+  const std::size_t axes = std::min(path.axes(), machine.dimension());
+  if (path.linear(index))
+    return segment.length() * least_pace(path.at_parameter(index, segment.curve().begin()).d1, machine, axes);
   constexpr int parts = 8;  // midpoints of equal lengths
   double sum = 0;
   for (int i = 0; i < parts; ++i) {
     const double s = segment.s0() + segment.length() * (i + 0.5) / parts;
-    sum += least_pace(segment.at(s).d1, machine, axes);
+    sum += least_pace(path.at(index, s).d1, machine, axes);
   }
   return sum / parts * segment.length();
 }
 
 /// Sets length and least time of a segment of a block, whose feed is known.
-void measure(const Segment& segment, const Machine& machine, std::size_t axes, DrivenSegment& out) {
-  out.length = segment.length();
-  out.least_time = std::isfinite(out.feed) ? out.length / out.feed : time_at_axis_velocity(segment, machine, axes);
+void measure(const AxisPath& path, std::size_t i, const Machine& machine, DrivenSegment& out) {
+  out.length = path[i].length();
+  out.least_time = std::isfinite(out.feed) ? out.length / out.feed : time_at_axis_velocity(path, i, machine);
 }
 
 DrivenSegment begin_segment(const Contour& contour, std::size_t segment, std::size_t block) {
@@ -47,23 +49,22 @@ DrivenSegment begin_segment(const Contour& contour, std::size_t segment, std::si
 
 }  // namespace
 
-std::vector<DrivenSegment> document_segments(const Contour& contour, const Machine& machine, Progress& progress) {
-  const std::size_t axes = std::min(machine.dimension(), contour.dimension);
+std::vector<DrivenSegment> document_segments(const Contour& contour, const AxisPath& axes, const Machine& machine,
+                                             Progress& progress) {
   std::vector<DrivenSegment> out;
   out.reserve(contour.path.size());
   for (std::size_t b = 0; b < contour.blocks.size(); ++b)
     for (std::size_t i = contour.blocks[b].first; i < contour.blocks[b].last; ++i) {
       if (i % 4096 == 0) progress.report("report", 1);
       out.push_back(begin_segment(contour, i, b));
-      measure(contour.path[i], machine, axes, out.back());
+      measure(axes, i, machine, out.back());
     }
   return out;
 }
 
-std::vector<DrivenSegment> driven_segments(const Contour& contour, const Machine& machine, const TimeLaw& law,
-                                           Progress& progress) {
+std::vector<DrivenSegment> driven_segments(const Contour& contour, const AxisPath& axes, const Machine& machine,
+                                           const TimeLaw& law, Progress& progress) {
   const std::vector<BlockTime> blocks = block_times(contour, law);
-  const std::size_t axes = std::min(machine.dimension(), contour.dimension);
   std::vector<DrivenSegment> out;
   out.reserve(contour.path.size() + contour.rests.size());
   std::size_t block = 0, last = static_cast<std::size_t>(-1), done = 0;  // last segment, unless a dwell
@@ -80,7 +81,7 @@ std::vector<DrivenSegment> driven_segments(const Contour& contour, const Machine
     next.start = piece.t0, next.time = piece.duration;
     next.rests = rests;
     // A segment that goes on after a dwell has its length already.
-    if (!dwell && piece.segment != last) measure(contour.path[piece.segment], machine, axes, next);
+    if (!dwell && piece.segment != last) measure(axes, piece.segment, machine, next);
     if (!dwell) last = piece.segment;
     dwelt = dwell;
     out.push_back(next);

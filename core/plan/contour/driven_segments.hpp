@@ -5,6 +5,7 @@
 
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/axes/axis_path.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
@@ -23,12 +24,14 @@ struct DrivenSegment {
   bool rests = false;          ///< whether the motion rests at its begin, or all along
 };
 
-/// Returns the segments of the contour that the law drives. `law` is that of the setpoints. O(pieces + segments), and
+/// Returns the segments of the contour that the law drives. `axes` follow it, with the limits of `machine`; `law` is
+/// that of the setpoints. O(pieces + segments), and
 /// eight evaluations of the path per curve without a feed; asks `progress` every 4096 pieces.
-std::vector<DrivenSegment> driven_segments(const Contour& contour, const Machine& machine, const TimeLaw& law,
-                                           Progress& progress);
+std::vector<DrivenSegment> driven_segments(const Contour& contour, const AxisPath& axes, const Machine& machine,
+                                           const TimeLaw& law, Progress& progress);
 
 /// Returns the segments of a contour that is not planned, in their order: without times, rests and dwells.
-std::vector<DrivenSegment> document_segments(const Contour& contour, const Machine& machine, Progress& progress);
+std::vector<DrivenSegment> document_segments(const Contour& contour, const AxisPath& axes, const Machine& machine,
+                                             Progress& progress);
 
 }  // namespace bahnwerk

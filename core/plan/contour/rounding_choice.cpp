@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/base/borrowed.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/plan/contour/stopping_time.hpp"
 
@@ -40,10 +41,11 @@ Part part_of(const TimeLaw& law, std::size_t& next, std::size_t last) {
 class Chooser {
  public:
   Chooser(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
-          const std::vector<BlendSection>& places, const Machine& machine, const MethodRow& method,
-          const MethodOptions& options, Progress& progress, double from, double to)
+          const std::vector<BlendSection>& places, const ContourAxes& axes, const Machine& machine,
+          const MethodRow& method, const MethodOptions& options, Progress& progress, double from, double to)
       : given_(given),
         rounded_(std::move(rounded)),
+        axes_(axes),
         machine_(machine),
         method_(method),
         options_(options),
@@ -68,7 +70,7 @@ class Chooser {
   RoundingChoice run() {
     constexpr double first = 0.9;  // part of the progress
     const double middle = from_ + first * (to_ - from_);
-    MethodResult law = plan(*rounded_, from_, middle);
+    MethodResult law = plan(rounded_, from_, middle);
     stage_progress_.done(first);
     find_times(law.law);
     if (!plan_with_stops(middle)) return {std::move(rounded_), std::move(law)};
@@ -82,9 +84,9 @@ class Chooser {
   }
 
  private:
-  MethodResult plan(const Contour& contour, double from, double to) {
-    const CartesianAxisPath axes(contour.path, machine_.dimension());
-    const PathTask task{axes, machine_, contour.feeds(), contour.rest_places()};
+  MethodResult plan(const std::shared_ptr<const Contour>& contour, double from, double to) {
+    const std::shared_ptr<const AxisPath> axes = axes_.along(contour).moving;
+    const PathTask task{*axes, machine_, contour->feeds(), contour->rest_places()};
     return method_.plan(task, options_, 0, progress_, from, to);
   }
 
@@ -113,8 +115,8 @@ class Chooser {
   /// Plans the sections that may be quicker with stops, concatenated to a path of their own. Returns false if there are
   /// none.
   bool plan_with_stops(double from) {
-    const CartesianAxisPath axes(given_->path, machine_.dimension());
-    const StoppingTime stopping(*given_, axes, machine_, options_.corner_angle);
+    const std::shared_ptr<const AxisPath> axes = axes_.along(given_).moving;
+    const StoppingTime stopping(*given_, *axes, machine_, options_.corner_angle);
     const std::vector<double> feeds = given_->feeds();
     stopping_.dimension = given_->dimension, stopping_.height = given_->height;
     for (Section& s : sections_) {
@@ -132,7 +134,7 @@ class Chooser {
       }
     }
     if (stopping_.path.empty()) return false;
-    stopping_result_ = plan(stopping_, from, to_);
+    stopping_result_ = plan(borrowed(stopping_), from, to_);
     stage_progress_.done(1);
     std::size_t next = 0;
     for (Section& s : sections_)
@@ -225,6 +227,7 @@ class Chooser {
 
   const std::shared_ptr<const Contour>& given_;
   std::shared_ptr<const Contour> rounded_;
+  const ContourAxes& axes_;
   const Machine& machine_;
   const MethodRow& method_;
   const MethodOptions& options_;
@@ -240,10 +243,10 @@ class Chooser {
 }  // namespace
 
 RoundingChoice choose_rounding(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
-                               const std::vector<BlendSection>& sections, const Machine& machine,
-                               const MethodRow& method, const MethodOptions& options, Progress& progress, double from,
-                               double to) {
-  return Chooser(given, std::move(rounded), sections, machine, method, options, progress, from, to).run();
+                               const std::vector<BlendSection>& sections, const ContourAxes& axes,
+                               const Machine& machine, const MethodRow& method, const MethodOptions& options,
+                               Progress& progress, double from, double to) {
+  return Chooser(given, std::move(rounded), sections, axes, machine, method, options, progress, from, to).run();
 }
 
 }  // namespace bahnwerk

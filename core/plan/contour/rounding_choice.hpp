@@ -7,6 +7,7 @@
 
 #include "core/contour/blend.hpp"
 #include "core/machine/machine.hpp"
+#include "core/plan/contour/contour_axes.hpp"
 #include "core/plan/planning_method.hpp"
 
 namespace bahnwerk {
@@ -19,18 +20,18 @@ struct RoundingChoice {
 };
 
 /// Returns the contour to drive. `sections` and `rounded` are results of `blend`. `machine` has the limits of the
-/// moving axes, as the method keeps them.
+/// moving ones of `axes`, as the method keeps them.
 ///
 /// The rounded contour is planned. A section stays rounded if its rounded time does not exceed the lower bound of its
-/// time with stops (core/plan/contour/stopping_time.hpp). Every other section is also planned with its corners; if that
-/// is quicker it is driven exactly as given, and a note states how many such sections there are and where the first one
-/// is. The two laws are joined without further planning. No section therefore takes longer than with stops, planned by
-/// the same method on the same grid.
+/// time with stops (core/plan/contour/stopping_time.hpp; 0 where axes are not the tool's coordinates). Every other
+/// section is also planned with its corners; if that is quicker it is driven exactly as given, and a note states how
+/// many such sections there are and where the first one is. The two laws are joined without further planning. No
+/// section therefore takes longer than with stops, planned by the same method on the same grid.
 ///
 /// Cost: 0.1 µs per given segment, and the method's cost for the sections in doubt (none of polygons, few of arcs).
 RoundingChoice choose_rounding(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
-                               const std::vector<BlendSection>& sections, const Machine& machine,
-                               const MethodRow& method, const MethodOptions& options, Progress& progress, double from,
-                               double to);
+                               const std::vector<BlendSection>& sections, const ContourAxes& axes,
+                               const Machine& machine, const MethodRow& method, const MethodOptions& options,
+                               Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

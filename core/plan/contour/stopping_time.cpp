@@ -47,6 +47,7 @@ bool StoppingTime::rests(std::size_t i) const {
 }
 
 double StoppingTime::least(std::size_t first, std::size_t last, ProgressScope& progress) const {
+  if (!axes_.cartesian()) return 0;
   double sum = 0;
   for (std::size_t begin = first, end = first + 1; begin < last; begin = end++) {
     while (end < last && !rests(end)) ++end, progress.work(1);
@@ -56,7 +57,7 @@ double StoppingTime::least(std::size_t first, std::size_t last, ProgressScope& p
 }
 
 StoppingTime::Limit StoppingTime::limit(std::size_t i) const {
-  const Segment& segment = contour_.path[i];
+  const Segment& segment = axes_[i];
   Limit l{std::min(feeds_[i], speed_), acceleration_, jerk_, 0};
   const PathPoint at = segment.at_parameter(segment.curve().begin());
   if (segment.straight()) {
@@ -81,7 +82,7 @@ StoppingTime::Limit StoppingTime::limit(std::size_t i) const {
 /// Returns the largest speed at the joint before segment `next`, at which no axis steps by more than acceleration ·
 /// cycle in velocity and jerk · cycle in acceleration, |Δq″ v² + Δq′ v̇|.
 double StoppingTime::joint_speed(std::size_t next) const {
-  const Segment &before = contour_.path[next - 1], &after = contour_.path[next];
+  const Segment &before = axes_[next - 1], &after = axes_[next];
   const PathPoint a = before.at_parameter(before.curve().end()), b = after.at_parameter(after.curve().begin());
   const double cycle = machine_.cycle_time;
   double speed = unlimited;

@@ -26,8 +26,8 @@ class StoppingTime {
   /// All arguments must outlive this object.
   StoppingTime(const Contour& contour, const AxisPath& axes, const Machine& machine, double corner_angle);
 
-  /// Returns the bound for segments [first, last), at rest at both ends, s; without dwells. O(segments), 50 to 200 ns
-  /// each.
+  /// Returns the bound for segments [first, last), at rest at both ends, s; without dwells; 0 if the axes are not
+  /// coordinates of the tool. O(segments), 50 to 200 ns each.
   double least(std::size_t first, std::size_t last, ProgressScope& progress) const;
   /// Tells whether the motion rests at the begin of segment i, for instance at a corner.
   bool rests(std::size_t i) const;

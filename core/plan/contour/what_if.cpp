@@ -22,7 +22,7 @@ void scale(Limits& limits, const Change& change) {
   if (change.what == WhatIf::What::acceleration) limits.acceleration *= change.factor;
 }
 
-std::optional<double> duration(const std::shared_ptr<const Contour>& given, const Machine& machine,
+std::optional<double> duration(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
                                const ContourPlanning& planning, Progress& progress) {
   constexpr double posed_at = 0.5;
   try {
@@ -41,7 +41,7 @@ std::optional<double> duration(const std::shared_ptr<const Contour>& given, cons
 
 }  // namespace
 
-std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const Machine& machine,
+std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
                             const ContourPlanning& planning, Progress& progress, double from, double to) {
   std::vector<Change> changes;
   if (planning.corner_mode == CornerMode::blend) changes.push_back({WhatIf::What::tolerance, 2});
@@ -51,7 +51,7 @@ std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const M
   std::vector<WhatIf> answers;
   const double share = (to - from) / static_cast<double>(changes.size());
   for (const Change& change : changes) {
-    Machine other = machine;
+    ToolMachine other = machine;
     for (AxisLimits& axis : other.axes) scale(axis, change);
     ContourPlanning asked = planning;
     scale(asked.along, change);

@@ -17,7 +17,7 @@ class Progress;
 /// A duration equals, to the last bit, that of a plan with the changed limits: the law is planned, refined and verified
 /// as usual (the bound is computed only if the method refines by it), but no setpoints are made. A change without a
 /// plan has no duration. Cost: one plan per change, without setpoints and drawings. Throws Stopped.
-std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const Machine& machine,
+std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
                             const ContourPlanning& planning, Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

@@ -62,9 +62,9 @@ class Lint {
     const std::string description = schema.value("description", "");
     if (description.size() < 5) find(at, "no description");
     if (has_type(schema, "number") || has_type(schema, "integer")) {
-      static const std::set<std::string> units{"mm",    "mm/s", "mm/s²", "mm/s³", "mm/s⁴",  "mm²/s³", "mm²",   "s",
-                                               "deg",   "°C",   "Ω/m",   "(1)",   "`unit`", "N",      "N/mm²", "Ω",
-                                               "1/min", "1/mm", "kg",    "g",     "Hz",     "W",      "N/mm"};
+      static const std::set<std::string> units{
+          "mm", "mm/s",  "mm/s²", "mm/s³", "mm/s⁴", "mm²/s³", "mm²", "s",  "deg", "°C",   "Ω/m",   "(1)",    "`unit`",
+          "N",  "N/mm²", "Ω",     "1/min", "1/mm",  "kg",     "g",   "Hz", "W",   "N/mm", "deg/s", "deg/s²", "deg/s³"};
       bool unit = false;
       std::string text = description;
       for (char& c : text)

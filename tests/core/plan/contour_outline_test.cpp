@@ -86,7 +86,8 @@ TEST(DurationEstimate, IsThatOfAPlanWithinAFifth) {
     ContourPlanning planning;
     planning.method = PlanningMethod::time_optimal;
     const ContourPlan plan = plan_contour(contour, machine, planning, progress);
-    const DurationEstimate estimate = estimate_duration(contour, machine, planning.corner_angle, progress);
+    const DurationEstimate estimate = estimate_duration(contour, CartesianAxisPath(contour.path, machine.dimension()),
+                                                        machine, planning.corner_angle, progress);
     EXPECT_NEAR((estimate.cut_time + estimate.position_time) / plan.duration, 1, 0.2) << feed;
     EXPECT_NEAR(estimate.cut_time / plan.cut_time, 1, 0.25) << feed;
   }

@@ -26,7 +26,7 @@ Driven drive(const char* program, double blend = 0) {
   if (blend > 0) planning.corner_mode = CornerMode::blend, planning.blend_tolerance = blend;
   Driven out;
   out.plan = plan_contour(read_gcode(program), machine, planning, progress);
-  out.segments = driven_segments(*out.plan.path, machine, out.plan.motion->law(), progress);
+  out.segments = driven_segments(*out.plan.path, out.plan.motion->path(), machine, out.plan.motion->law(), progress);
   return out;
 }
 
