@@ -22,10 +22,8 @@ struct ProbeProblem {
   std::vector<Vec> points;            ///< N + 1 ≥ 2 points, neighbours are different; ends are those of `given`
   std::vector<std::size_t> point_of;  ///< index in `points` of each given point; ascending
   double tolerance = 0;               ///< δ, mm: the radius of the tube, 0 or more
-  /// Radius of the tube about each edge, mm, at most `tolerance`; empty: `tolerance` about all.
-  std::vector<double> edge_tolerance;
-  double speed = 0;               ///< mm/s, Euclidean
-  double point_tolerance = 1e-6;  ///< mm
+  double speed = 0;                   ///< mm/s, Euclidean
+  double point_tolerance = 1e-6;      ///< mm
   /// Axes x, y (and z) with acceleration, jerk and snap, all positive and finite, velocity unlimited; the cycle time.
   Machine machine;
   ProbeObjective objective = ProbeObjective::time;
@@ -33,7 +31,6 @@ struct ProbeProblem {
 
   std::size_t dimension() const { return machine.axes.size(); }  ///< 2 or 3
   std::size_t edges() const { return points.size() - 1; }
-  double tube(std::size_t edge) const { return edge_tolerance.empty() ? tolerance : edge_tolerance[edge]; }
   const AxisLimits& axis(std::size_t k) const { return machine.axes[k]; }
 };
 

@@ -7,7 +7,6 @@
 #include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/probe/optimal/optimal.hpp"
-#include "core/probe/straight/stops.hpp"
 #include "core/verify/probe/probe_bound.hpp"
 
 namespace bahnwerk {
@@ -41,9 +40,8 @@ ProbeProblem problem(Kind kind, std::int64_t points) {
 void shortest(benchmark::State& state) {
   const ProbeProblem p = problem(static_cast<Kind>(state.range(0)), state.range(1));
   SilentProgress silent;
-  const ProbeMotion start = plan_stops(p, silent);
   double duration = 0;
-  for (auto _ : state) duration = plan_optimal(p, {start}, silent).duration();
+  for (auto _ : state) duration = plan_optimal(p, silent).duration();
   state.counters["duration"] = duration;
   state.SetItemsProcessed(state.iterations() * state.range(1));
 }

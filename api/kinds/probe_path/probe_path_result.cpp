@@ -75,7 +75,7 @@ std::vector<std::string> notes(const ProbeRequest& request, const ProbePlan& pla
   const std::string where = "the head rests at " + std::to_string(rests) +
                             (rests == 1 ? " point, every corner" : " points, every corner") + ": ";
   if (!(request.problem.tolerance > 0)) return {where + "tolerance is 0, so the path has to follow the edges"};
-  return {where + "no " + std::string(request.method == ProbeMethod::spline ? "spline or turn" : "turn") +
+  return {where + "no " + std::string(request.method == ProbeMethod::spline ? "spline" : "turn") +
           " was found that stays within tolerance of the edges and takes less time than a rest"};
 }
 

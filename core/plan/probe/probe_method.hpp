@@ -7,11 +7,10 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Returns the motion of the request's method. Reports progress up to 0.7.
+/// Returns the motion of the request's method.
 ProbeMotion probe_motion(const ProbeRequest& request, Progress& progress);
 
 /// Returns the proven bound on the duration; its cost is limited to some seconds for methods other than optimal.
-/// Reports progress between `from` and `to`.
-Bound probe_bound_of(const ProbeRequest& request, Progress& progress, double from, double to);
+Bound probe_bound_of(const ProbeRequest& request, Progress& progress);
 
 }  // namespace bahnwerk

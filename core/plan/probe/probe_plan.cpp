@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/progress_part.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/plan/pipeline.hpp"
 #include "core/plan/probe/probe_method.hpp"
@@ -23,7 +24,10 @@ class ProbeMotionProblem final : public MotionProblem {
   ProbeMotionProblem(const ProbeRequest& request, std::shared_ptr<const ProbeProblem> problem, Progress& progress)
       : request_(request), problem_(std::move(problem)), progress_(progress) {}
 
-  void plan() override { planned_ = probe_motion(request_, progress_); }
+  void plan() override {
+    ProgressPart part(progress_, name_of<ProbeMethod>(request_.method, probe_methods), 0, planned);
+    planned_ = probe_motion(request_, part);
+  }
   bool plan_otherwise() override { return false; }
   double duration() const override { return planned_.duration(); }
   void slow(double factor) override {
@@ -50,7 +54,10 @@ class ProbeMotionProblem final : public MotionProblem {
     rows.checks.push_back(probe_row_check(to_verify(), setpoints));
     return rows;
   }
-  Bound bound() override { return probe_bound_of(request_, progress_, read, 1); }
+  Bound bound() override {
+    ProgressPart part(progress_, "bound", read, 1);
+    return probe_bound_of(request_, part);
+  }
 
   const ProbeMotion& served() const { return slowed_; }
 

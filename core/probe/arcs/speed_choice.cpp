@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/numeric/bisection.hpp"
+#include "core/probe/arcs/turn.hpp"
 #include "core/probe/straight/straight.hpp"
 
 namespace bahnwerk::probe {
@@ -11,37 +12,76 @@ namespace {
 constexpr double length_rounding = 1e-9;  // relative to an edge: room for the rounding of directions
 constexpr int speed_steps = 50;           // steps of the bisection for a speed: to 1e-15 of the interval
 constexpr int reach_steps = 40;
-}  // namespace
+// Candidates: speeds of one series, so that neighbours may turn at one speed, which takes no length between, down to a
+// share of the largest one.
+constexpr double ratio = 0.84, least_share = 0.05;
 
-SpeedChoice::SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end)
-    : problem_(problem), row_end_(row_end), rounding_(coordinate_rounding(problem)) {}
+class SpeedChoice {
+ public:
+  SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end, const std::vector<Vec>& directions);
+
+  TurnSpeeds choose(const TurnSpeeds* near, double width, ProgressScope& progress) const;
+
+ private:
+  struct Candidate {
+    double speed = 0;
+    TurnSize size;
+    Vec offset;           // C − P
+    double time = 0;      // shortest from the start to the middle of the turn, s
+    int before = -1;      // candidate at the point before
+    bool by_row = false;  // whether it comes from a rest at the begin of the row that ends here
+  };
+  using Candidates = std::vector<Candidate>;
+  std::vector<Candidates> candidates(const TurnSpeeds* near, double width) const;
+  double largest_speed(std::size_t i) const;
+  /// Returns the largest speed per point that the tube admits, that can be reached from the start and braked from.
+  std::vector<double> largest_speeds() const;
+  /// Returns the speeds, at most `speed`, that can be reached from the start, or braked from to the end.
+  std::vector<double> reachable(bool backwards, std::vector<double> speed) const;
+  void connect(std::size_t edge, const Candidates& from, Candidates& to) const;
+  TurnSpeeds best_path(const std::vector<Candidates>& all) const;
+
+  const ProbeProblem& problem_;
+  const std::vector<std::size_t>& row_end_;
+  double rounding_;
+  const std::vector<Vec>& directions_;  // of the edges
+  std::vector<Turn> turns_;             // between them
+};
+
+SpeedChoice::SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end,
+                         const std::vector<Vec>& directions)
+    : problem_(problem), row_end_(row_end), rounding_(coordinate_rounding(problem)), directions_(directions) {
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    turns_.emplace_back(problem, directions[i > 0 ? i - 1 : 0], directions[std::min(i, problem.edges() - 1)]);
+}
 
 /// Entry and exit are in the tube, and the turn has room on its edges. Both get harder with the speed.
-double SpeedChoice::largest_speed(std::size_t i, const Turn& turn, Vec in, Vec out) const {
+double SpeedChoice::largest_speed(std::size_t i) const {
+  const Turn& turn = turns_[i];
   const Vec before = problem_.points[i - 1], point = problem_.points[i], after = problem_.points[i + 1];
+  const Vec in = directions_[i - 1], out = directions_[i];
   const double room = std::min(norm(point - before), norm(after - point));
   const auto fits = [&](double speed) {
     const TurnSize size = turn.size(speed);
     if (size.length > room) return false;
     const Vec apex = turn.apex(point, size);
-    return distance_from_edge(apex - size.length * in, before, point) <= problem_.tube(i - 1) + rounding_ &&
-           distance_from_edge(apex + size.length * out, point, after) <= problem_.tube(i) + rounding_;
+    return distance_from_edge(apex - size.length * in, before, point) <= problem_.tolerance + rounding_ &&
+           distance_from_edge(apex + size.length * out, point, after) <= problem_.tolerance + rounding_;
   };
   if (fits(problem_.speed)) return problem_.speed;
   return bisect(0, problem_.speed, 0, speed_steps, fits).low;
 }
 
-std::vector<double> SpeedChoice::reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions,
-                                           bool backwards, std::vector<double> speed) const {
+std::vector<double> SpeedChoice::reachable(bool backwards, std::vector<double> speed) const {
   const std::size_t n = speed.size();
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const std::size_t i = backwards ? n - 1 - k : k, last = backwards ? i + 1 : i - 1, edge = std::min(i, last);
-    const ProfileLimits limits = limits_along(problem_, directions[edge]);
+    const ProfileLimits limits = limits_along(problem_, directions_[edge]);
     const double length = norm(problem_.points[edge + 1] - problem_.points[edge]) * (1 - 2 * length_rounding);
     const auto reaches = [&](double v) {
-      const double room = length - turns[i].size(v).length;
+      const double room = length - turns_[i].size(v).length;
       const auto from = [&](double u) {
-        const double straight = room - (u > 0 ? turns[last].size(u).length : 0);
+        const double straight = room - (u > 0 ? turns_[last].size(u).length : 0);
         return straight >= 0 && (v <= u || straight >= min_distance(u, v, limits));
       };
       if (v <= speed[last] && from(v)) return true;
@@ -55,28 +95,17 @@ std::vector<double> SpeedChoice::reachable(const std::vector<Turn>& turns, const
   return speed;
 }
 
-std::vector<Turn> SpeedChoice::turns_of(const std::vector<Vec>& directions) const {
-  const std::size_t n = problem_.points.size();
-  std::vector<Turn> turns;
-  for (std::size_t i = 0; i < n; ++i)
-    turns.emplace_back(problem_, directions[i > 0 ? i - 1 : 0], directions[std::min(i, n - 2)]);
-  return turns;
-}
-
-std::vector<double> SpeedChoice::largest_speeds(const std::vector<Vec>& directions) const {
-  const std::vector<Turn> turns = turns_of(directions);
+std::vector<double> SpeedChoice::largest_speeds() const {
   std::vector<double> speed(problem_.points.size(), 0.0);
-  for (std::size_t i = 1; i + 1 < speed.size(); ++i)
-    speed[i] = largest_speed(i, turns[i], directions[i - 1], directions[i]);
-  const std::vector<double> reached = reachable(turns, directions, false, speed),
-                            braked = reachable(turns, directions, true, speed);
+  for (std::size_t i = 1; i + 1 < speed.size(); ++i) speed[i] = largest_speed(i);
+  const std::vector<double> reached = reachable(false, speed), braked = reachable(true, speed);
   for (std::size_t i = 0; i < speed.size(); ++i) speed[i] = std::min(reached[i], braked[i]);
   return speed;
 }
 
-void SpeedChoice::connect(std::size_t edge, Vec direction, const Candidates& from, Candidates& to) const {
+void SpeedChoice::connect(std::size_t edge, const Candidates& from, Candidates& to) const {
   const Vec chord = problem_.points[edge + 1] - problem_.points[edge];
-  const ProfileLimits limits = limits_along(problem_, direction);
+  const ProfileLimits limits = limits_along(problem_, directions_[edge]);
   for (Candidate& next : to) {
     next.time = unlimited;
     for (std::size_t k = 0; k < from.size(); ++k) {
@@ -94,46 +123,45 @@ void SpeedChoice::connect(std::size_t edge, Vec direction, const Candidates& fro
   }
 }
 
-TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::vector<double>& shares,
-                               const TurnSpeeds* near, const std::vector<double>& factors, ProgressScope& progress,
-                               const std::vector<double>& anywhere) const {
+std::vector<SpeedChoice::Candidates> SpeedChoice::candidates(const TurnSpeeds* near, double width) const {
   const std::size_t n = problem_.points.size();
-  std::vector<double> speed_before(n, 0);
+  const std::vector<double> largest = largest_speeds();
+  const double top = *std::max_element(largest.begin(), largest.end());
+  std::vector<double> before(n, 0);
   if (near)
-    for (std::size_t i = 0; i < near->node.size(); ++i) speed_before[near->node[i]] = near->speed[i];
-  const std::vector<Turn> turns = turns_of(directions);
-  const std::vector<double> largest = largest_speeds(directions);
+    for (std::size_t i = 0; i < near->node.size(); ++i) before[near->node[i]] = near->speed[i];
+  std::vector<Candidates> all(n, Candidates(1));  // the first candidate is a rest
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const auto add = [&](double speed) {
+      Candidate c;
+      c.speed = std::min(speed, largest[i]);
+      if (!(c.speed > 0)) return;
+      for (const Candidate& other : all[i])
+        if (std::abs(other.speed - c.speed) <= 1e-9 * problem_.speed) return;
+      c.size = turns_[i].size(c.speed);
+      c.offset = turns_[i].apex({}, c.size);
+      all[i].push_back(c);
+    };
+    if (before[i] > 0) {
+      for (const double step : {0.0, -2.0, -1.0, -1.0 / 3, 1.0 / 3, 1.0}) add((1 + step * width) * before[i]);
+      for (const double speed : {largest[i], before[i - 1], before[i + 1]}) add(speed);
+    } else {
+      add(largest[i]);
+      for (double speed = top; largest[i] > 0 && speed > least_share * largest[i]; speed *= ratio)
+        if (speed < largest[i]) add(speed);
+    }
+  }
+  return all;
+}
+
+TurnSpeeds SpeedChoice::choose(const TurnSpeeds* near, double width, ProgressScope& progress) const {
+  const std::size_t n = problem_.points.size();
+  std::vector<Candidates> all = candidates(near, width);
   progress.work(10 * n);
-  std::vector<Candidates> all(n);
-  all[0].resize(1);
   std::size_t row_begin = 0;
   for (std::size_t i = 1; i < n; ++i) {
     Candidates& here = all[i];
-    here.resize(1);  // the first candidate is a rest
-    if (i + 1 < n) {
-      const Turn& turn = turns[i];
-      const double most = largest[i];
-      const auto add = [&](double speed) {
-        if (!(speed > 0)) return;
-        Candidate c;
-        c.speed = std::min(speed, most);
-        for (const Candidate& other : here)
-          if (std::abs(other.speed - c.speed) <= 1e-9 * problem_.speed) return;
-        c.size = turn.size(c.speed);
-        c.offset = turn.apex({}, c.size);
-        here.push_back(c);
-      };
-      add(speed_before[i]);
-      for (const double share : speed_before[i] > 0 ? factors : shares)
-        add(share * (speed_before[i] > 0 ? speed_before[i] : most));
-      if (near && speed_before[i] > 0) {
-        add(most);
-        add(speed_before[i - 1]);
-        add(speed_before[i + 1]);
-        for (const double share : anywhere) add(share * most);
-      }
-    }
-    connect(i - 1, directions[i - 1], all[i - 1], here);
+    connect(i - 1, all[i - 1], here);
     if (row_end_[row_begin] == i) {
       if (i - row_begin > 1 && all[row_begin][0].time < unlimited) {
         const double time = all[row_begin][0].time + rest_to_rest_duration(problem_, row_begin, i);
@@ -143,6 +171,11 @@ TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::ve
     }
     progress.work(here.size() * all[i - 1].size());
   }
+  return best_path(all);
+}
+
+TurnSpeeds SpeedChoice::best_path(const std::vector<Candidates>& all) const {
+  const std::size_t n = all.size();
   TurnSpeeds best;
   std::size_t candidate = 0;
   std::vector<std::size_t> begin_of_row(n, 0);
@@ -166,6 +199,14 @@ TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::ve
   std::reverse(best.node.begin(), best.node.end());
   std::reverse(best.speed.begin(), best.speed.end());
   return best;
+}
+
+}  // namespace
+
+TurnSpeeds choose_speeds(const ProbeProblem& problem, const std::vector<std::size_t>& row_end,
+                         const std::vector<Vec>& directions, const TurnSpeeds* near, double width,
+                         ProgressScope& progress) {
+  return SpeedChoice(problem, row_end, directions).choose(near, width, progress);
 }
 
 }  // namespace bahnwerk::probe

@@ -80,8 +80,8 @@ double Turn::deviation(double speed, const Edges& edges, double enough) const {
       const std::array piece{begin + (speed * t) * direction + p.way * change, speed * direction + p.gain * change,
                              (p.a / 2) * change, (p.j / 6) * change, (p.snap / 24) * change};
       const auto distance = [&](Vec x) {
-        return first ? distance_from_edge(x, edges.before, edges.point) / edges.tube_in
-                     : distance_from_edge(x, edges.point, edges.after) / edges.tube_out;
+        return first ? distance_from_edge(x, edges.before, edges.point) / edges.tube
+                     : distance_from_edge(x, edges.point, edges.after) / edges.tube;
       };
       most = peak_of(bezier(piece.data(), piece.size(), p.duration), distance, most, 1e-6);
       t += p.duration;

@@ -31,13 +31,13 @@ class Turn {
   TurnSize size(double speed) const;                ///< size of the turn at `speed`, mm/s
   /// Returns the apex C of a turn at `point`.
   Vec apex(Vec point, const TurnSize& size) const { return point - size.moment * change_; }
-  /// The edges from `before` to `point` and from there to `after`, and the radii of the tubes about them, mm.
+  /// The edges from `before` to `point` and from there to `after`, and the radius of the tube about them, mm.
   struct Edges {
     Vec before, point, after;
-    double tube_in, tube_out;
+    double tube;
   };
   /// Returns the largest distance of the first half from the first edge and of the second half from the second one,
-  /// relative to the tubes' radii, enclosed to 1e-6; `enough` if that is larger.
+  /// relative to the tube's radius, enclosed to 1e-6; `enough` if that is larger.
   double deviation(double speed, const Edges& edges, double enough) const;
   /// Appends the turn, which passes `point`, the problem's point of that number.
   void append(MotionWriter& writer, double speed, Vec point, std::size_t number) const;

@@ -36,11 +36,6 @@ void TurnPath::measure(std::size_t i) {
   offset_[i] = turn.apex({}, size_[i]);
 }
 
-double TurnPath::tube(std::size_t i) const {
-  const bool edge = speeds_.node[i] + 1 == speeds_.node[i + 1];
-  return (edge ? problem_->tube(speeds_.node[i]) : problem_->tolerance) + rounding_;
-}
-
 void TurnPath::solve(double close, ProgressScope& progress) {
   constexpr int most = 100;
   double before = 1;
@@ -96,7 +91,7 @@ bool TurnPath::straight_fits(std::size_t i) const {
 }
 
 bool TurnPath::turn_fits(std::size_t i) const {
-  const Turn::Edges edges{point(i - 1), point(i), point(i + 1), tube(i - 1), tube(i)};
+  const Turn::Edges edges{point(i - 1), point(i), point(i + 1), problem_->tolerance + rounding_};
   return turn(i).deviation(speeds_.speed[i], edges, 1) <= 1;
 }
 

@@ -62,8 +62,6 @@ class TurnPath {
   Vec way(std::size_t i) const { return (point(i + 1) - point(i)) + (offset_[i + 1] - offset_[i]); }
   bool turns(std::size_t i) const { return speeds_.speed[i] > 0; }
   void measure(std::size_t i);
-  /// Radius of the tube from node i to the next one, with room for rounding, mm.
-  double tube(std::size_t i) const;
   bool straight_fits(std::size_t i) const;
   bool turn_fits(std::size_t i) const;
   /// Directions that differ by rounding alone, so that no turn is between them, are made one.

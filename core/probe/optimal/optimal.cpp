@@ -12,6 +12,7 @@
 #include "core/probe/optimal/point_choice.hpp"
 #include "core/probe/optimal/windows.hpp"
 #include "core/probe/reachable_speed.hpp"
+#include "core/probe/straight/stops.hpp"
 #include "core/probe/within_limits.hpp"
 
 namespace bahnwerk {
@@ -227,8 +228,7 @@ double rounded_to_36_bits(double x) {
 // that scale exactly. The limits' room for rounding is wider than what they are rounded by.
 ProbeMotion shortest(const ProbeProblem& problem, const Report& report, ProgressScope& scope) {
   constexpr double no_tube = 1e-9;  // mm
-  double length = 0;
-  for (std::size_t i = 0; i < problem.edges(); ++i) length += norm(problem.points[i + 1] - problem.points[i]);
+  const double length = probe::polyline_length(problem);
   const double speed = std::min(problem.speed, probe::unreachable_speed(problem));
   const double unit = length / speed / static_cast<double>(problem.edges());  // s
   ProbeProblem timeless = problem;
@@ -251,8 +251,8 @@ ProbeMotion shortest(const ProbeProblem& problem, const Report& report, Progress
 /// until turns become too short for the cells. Speeds are halved as far as the time admits, so that more time adds
 /// speeds to try; then the lowest speed that leaves time enough is found by bisection. The motion that ripples least of
 /// all is returned.
-ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts,
-                         const ProbeMotion& quickest, const Report& report, ProgressScope& scope) {
+ProbeMotion least_ripple(const ProbeProblem& problem, const ProbeMotion& quickest, const Report& report,
+                         ProgressScope& scope) {
   constexpr int halvings = 6, steps = 7;
   const double most = problem.stretch * quickest.duration();
   ProbeMotion best = quickest;
@@ -264,7 +264,6 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMot
     least = ripple;
     best = motion;
   };
-  for (const ProbeMotion& start : starts) offer(start);
   ProbeProblem slower = problem;
   int step = 0;
   const auto too_slow = [&](double speed) {
@@ -284,17 +283,17 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMot
 
 }  // namespace
 
-ProbeMotion plan_optimal(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts, Progress& progress) {
+ProbeMotion plan_optimal(const ProbeProblem& problem, Progress& progress) {
   const bool ripple = problem.objective == ProbeObjective::ripple;
   const double share = ripple ? 0.2 : 1;
   ProgressScope scope(progress, "optimal", share, share);
   ProbeMotion best = shortest(
       problem, [&](double f) { progress.report("optimal", share * f, {}); }, scope);
-  for (const ProbeMotion& start : starts)
-    if (!(best.duration() < start.duration())) best = start;
+  ProbeMotion stops = plan_stops(problem, scope);
+  if (!(best.duration() < stops.duration())) best = std::move(stops);
   if (!ripple) return best;
   return least_ripple(
-      problem, starts, best, [&](double f) { progress.report("optimal", share + (1 - share) * f, {}); }, scope);
+      problem, best, [&](double f) { progress.report("optimal", share + (1 - share) * f, {}); }, scope);
 }
 
 }  // namespace bahnwerk

@@ -1,6 +1,6 @@
 #pragma once
 /// Method `optimal` of kind `probe_path`: a quartic spline in time whose steps and passing times are free, from coarse
-/// to fine, as quick as limits and tube allow; never slower than any of `starts`.
+/// to fine, as quick as limits and tube allow; never slower than rests at every point (core/probe/straight/stops.hpp).
 ///
 /// Unknowns are the states at the points and at nodes between them, and the durations between (core/probe/optimal/
 /// cell_basis.hpp, chain_solver.hpp); of dense points a few are chosen, and the motion is tried on all
@@ -11,8 +11,6 @@
 /// less. The problem has local optima; the search starts from a slow motion through the points
 /// (core/probe/optimal/start.hpp). Problems that differ by the scale of time alone have motions that differ by that
 /// scale. Cost: linear in the points; a few hundred cells take 0.1 s, 10 000 points some seconds.
-#include <vector>
-
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
@@ -20,9 +18,7 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Plans the motion. `starts` are motions that are right, one or more: the quickest of them is returned if no quicker
-/// one is found, and with `ripple` one that is not too slow if none with less ripple is found. Reports `progress` at
-/// every iteration; throws what it throws.
-ProbeMotion plan_optimal(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts, Progress& progress);
+/// Plans the motion. Reports `progress` at every iteration; throws what it throws.
+ProbeMotion plan_optimal(const ProbeProblem& problem, Progress& progress);
 
 }  // namespace bahnwerk

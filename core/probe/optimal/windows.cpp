@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/probe/optimal/cell_rows.hpp"
-#include "core/probe/optimal/chain_solver.hpp"
+#include "core/probe/optimal/chain_problem.hpp"
 #include "core/probe/optimal/refine.hpp"
 #include "core/probe/optimal/start.hpp"
 
@@ -120,16 +120,15 @@ CellChain<D> plan_chain(const ChainLimits<D>& limits, std::size_t all_edges,
         if (finer.cell.size() == window.cell.size() && level < work.levels) continue;
         window = std::move(finer);
       }
-      ChainSolverOptions options;
+      double shortest = scale.time;
+      for (const ChainCell& cell : window.cell) shortest = std::min(shortest, cell.duration);
+      const double before = static_cast<double>(from), span = static_cast<double>(to - from);
+      FeasibleOptions options;
       options.gap = level == work.levels ? work.final_gap : 1e-2;
       options.iterations = (level == 0 ? 3 : 1) * work.iterations;
       options.start_mu = level == 0 ? 0 : 0.02;
-      double shortest = scale.time;
-      for (const ChainCell& cell : window.cell) shortest = std::min(shortest, cell.duration);
-      options.shortest = 1e-3 * shortest;
-      const double before = static_cast<double>(from), span = static_cast<double>(to - from);
-      shorten_chain(window, part, options,
-                    [&] { report((before + span * (level + 0.5) / (work.levels + 1)) / static_cast<double>(edges)); });
+      options.tick = [&] { report((before + span * (level + 0.5) / (work.levels + 1)) / static_cast<double>(edges)); };
+      shorten_chain(window, part, 1e-3 * shortest, options);
     }
     renumber(window, 0, from);
     window.node.back().given = false;

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <deque>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
@@ -31,8 +28,8 @@ struct Section {
 class SplinePlanner {
  public:
   /// `row_end` as straight_rows() has it.
-  SplinePlanner(const ProbeProblem& problem, const std::vector<std::size_t>& row_end, bool jerks)
-      : problem_(problem), row_end_(row_end), jerks_(jerks), many_(has_many_points(problem)) {}
+  SplinePlanner(const ProbeProblem& problem, const std::vector<std::size_t>& row_end)
+      : problem_(problem), row_end_(row_end), many_(has_many_points(problem)) {}
 
   void solve(ProgressScope& progress) {
     // Parts that are still to be planned, the first one on top.
@@ -45,20 +42,15 @@ class SplinePlanner {
         take_rests(first, last);
         continue;
       }
-      auto run = std::make_unique<SplineRun>(problem_, first, last, jerks_, late);
-      const bool found = run->solve(progress);
-      const std::vector<std::size_t> rests = run->rests();
-      if (found) {
-        if (rests.empty() && run->duration() < resting(first, last)) {
+      auto run = std::make_unique<SplineRun>(problem_, first, last, late);
+      if (run->solve(progress)) {
+        if (run->duration() < resting(first, last))
           sections_.push_back({first, last, std::move(run)});
-          continue;
-        }
-        if (rests.empty()) {
+        else
           take_rests(first, last);
-          continue;
-        }
-        whole_.push_back({first, last, std::move(run)});
+        continue;
       }
+      const std::vector<std::size_t>& rests = run->rests();
       const auto divide = [&, whole = last - first, above = level](std::size_t from, std::size_t to) {
         open.push_back({from, to, above + (2 * (to - from) > whole ? 1 : 0)});
       };
@@ -69,12 +61,7 @@ class SplinePlanner {
       }
       divide(first, end);
     }
-    prefer_whole();
-    duration_ = 0;
-    for (const Section& section : sections_) duration_ += duration_of(section);
   }
-
-  double duration() const { return duration_; }
 
   ProbeMotion write(ProgressScope& progress) const {
     MotionWriter writer(problem_);
@@ -107,29 +94,6 @@ class SplinePlanner {
   void take_rests(std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; i = next(i, last)) sections_.push_back({i, next(i, last), nullptr});
   }
-  double duration_of(const Section& s) const {
-    return s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
-  }
-  /// Parts that were divided by rests could be passed without, too: the quicker way is taken, the inner ones first.
-  void prefer_whole() {
-    if (whole_.empty()) return;
-    std::vector<std::size_t> begins_at(problem_.points.size(), 0);  // the section that does
-    for (std::size_t i = 0; i < sections_.size(); ++i) begins_at[sections_[i].first] = i;
-    const auto section = [&](std::size_t point) -> Section& { return sections_[begins_at[point]]; };
-    for (std::size_t n = whole_.size(); n-- > 0;) {
-      Section& whole = whole_[n];
-      double divided = 0;
-      for (std::size_t p = whole.first; p < whole.last; p = section(p).last) divided += duration_of(section(p));
-      if (whole.run->duration() < divided) section(whole.first) = std::move(whole);
-    }
-    whole_.clear();
-    std::vector<Section> kept;
-    for (std::size_t p = 0, next = 0; p + 1 < problem_.points.size(); p = next) {
-      next = section(p).last;
-      kept.push_back(std::move(section(p)));
-    }
-    sections_ = std::move(kept);
-  }
   void write(MotionWriter& writer, const Section& section, ProgressScope& progress) const {
     const SplineRun& run = *section.run;
     writer.aim(problem_.points[section.first]);
@@ -149,84 +113,28 @@ class SplinePlanner {
 
   const ProbeProblem& problem_;
   const std::vector<std::size_t>& row_end_;
-  bool jerks_, many_;
-  std::vector<Section> sections_, whole_;  // sections in order of points; those that were divided, outer ones first
-  double duration_ = 0;
+  bool many_;
+  std::vector<Section> sections_;  // in order of points
 };
 
-/// The quickest spline of all speeds at which the points may be passed in the middle of the way: the times of a spline
-/// are scaled as a whole in the end, so that a lower speed leaves more of the limits to where speeds change.
-class SplineSearch {
- public:
-  /// `row_end` as straight_rows() has it.
-  SplineSearch(const ProbeProblem& problem, const std::vector<std::size_t>& row_end, ProgressScope& scope)
-      : problem_(problem), row_end_(row_end), scope_(scope) {}
-
-  ProbeMotion search() {
-    const std::size_t points = problem_.points.size();
-    offer(problem_.speed);
-    if (points <= some) {
-      scope_.half_of_rest();
-      for (const double share : {0.95, 0.85}) offer(share * problem_.speed);
-      // The speeds are shares of what the path admits, which hardly depend on the nominal one. No motion through the
-      // points is quicker at a lower speed than length / duration.
-      const double length = polyline_length(problem_), highest = unreachable_speed(problem_),
-                   ratio = std::exp2(points <= few ? -1.0 / 3 : -0.5);
-      for (double speed = highest; speed > length / best_->duration(); speed *= ratio)
-        if (speed < problem_.speed) offer(speed);
-      scope_.half_of_rest();
-      for (double step = std::sqrt(ratio); step < closest; step = std::sqrt(step)) {
-        const double centre = best_speed_;
-        offer(centre * step);
-        if (centre / step < problem_.speed) offer(centre / step);
-      }
-    }
-    return best_->write(scope_);
-  }
-
- private:
-  static constexpr std::size_t few = 100, some = 300;  // points up to which more speeds are tried
-  static constexpr double closest = 0.98;
-
-  void offer(double speed) {
-    ProbeProblem& slower = problems_.emplace_back(problem_);
-    slower.speed = speed;
-    for (const bool jerks : {true, false}) {
-      if (!jerks && has_many_points(problem_)) continue;
-      SplinePlanner planner(slower, row_end_, jerks);
-      planner.solve(scope_);
-      if (!best_ || planner.duration() < best_->duration()) best_.emplace(std::move(planner)), best_speed_ = speed;
-    }
-  }
-
-  const ProbeProblem& problem_;
-  const std::vector<std::size_t>& row_end_;
-  ProgressScope& scope_;
-  std::deque<ProbeProblem> problems_;  // plans refer to them
-  std::optional<SplinePlanner> best_;
-  double best_speed_ = 0;
-};
-
-/// The quickest sections of splines through all points, through those that are left of points in a row, and of rests at
-/// the ends of rows.
-ProbeMotion search_splines(const ProbeProblem& given, ProgressScope& scope) {
+/// Returns the quickest sections of splines, and of rests at the ends of rows.
+ProbeMotion splines_and_rests(const ProbeProblem& given, ProgressScope& scope) {
   const ProbeProblem problem = with_reachable_speed(given);
   const std::vector<std::size_t> row_end = straight_rows(problem);
   std::vector<ProbeMotion> plans{write_stops(problem, row_end, scope)};
   if (row_end[0] + 1 == problem.points.size()) return plans.front();
-  plans.push_back(SplineSearch(problem, row_end, scope).search());
-  const ThinnedProblem thin = thinned(problem);
-  if (thin.point.size() < problem.points.size())
-    plans.push_back(with_all_points(problem, thin, SplineSearch(thin.problem, thin.next, scope).search()));
+  SplinePlanner planner(problem, row_end);
+  planner.solve(scope);
+  plans.push_back(planner.write(scope));
   return quickest_sections(problem, std::move(plans));
 }
 
 }  // namespace
 
-ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
-  ProgressScope scope(progress, "spline", progress_from, progress_to);
+ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress) {
+  ProgressScope scope(progress, "spline", 0, 1);
   scope.report();
-  const ProbeMotion planned = search_splines(problem, scope);
+  const ProbeMotion planned = splines_and_rests(problem, scope);
   ProbeMotion plan = within_limits(problem, slowed(planned, 1), scope);  // slowed motions land
   // A motion that rounding does not slow is no slower than rests by construction.
   constexpr double rounding = 1e-12;

@@ -28,10 +28,9 @@ ProfileLimits limits_anywhere(const ProbeProblem& problem) {
 
 bool has_many_points(const ProbeProblem& problem) { return problem.points.size() > 2000; }
 
-SplineRun::SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks, bool rest_soon)
+SplineRun::SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool rest_soon)
     : problem_(problem),
       first_(first),
-      jerks_(jerks),
       quick_(has_many_points(problem)),
       least_share_(rest_soon ? 1
                    : quick_  ? quick_least_share
@@ -47,13 +46,14 @@ SplineRun::SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t
   for (std::size_t i = 0; i <= intervals(); ++i) ends_[i].x = problem.points[first + i];
 }
 
-void SplineRun::start(double share) {
+void SplineRun::start(double speed, double share) {
   double total = 0;
   for (const double length : length_) total += length;
   ProfileLimits limits = limits_anywhere(problem_);
+  limits.velocity = speed;
   limits.acceleration *= share, limits.jerk *= share, limits.snap *= share;
   const Profile profile = straight_profile(total, 0, 0, limits);
-  reach_ = std::min(direct_distance(0, problem_.speed, limits), total / 4);
+  reach_ = std::min(direct_distance(0, speed, limits), total / 4);
   double way = 0, before = 0;
   std::size_t piece = 0;
   for (std::size_t i = 0; i < intervals(); ++i) {
@@ -73,8 +73,8 @@ void SplineRun::start(double share) {
   }
 }
 
-void SplineRun::follow_profile(std::size_t points) {
-  const std::size_t n = intervals();
+void SplineRun::follow_profile() {
+  const std::size_t n = intervals(), points = n < 4 ? 3 : 5;
   std::vector<double> at(n + 1, 0.0);
   for (std::size_t i = 0; i < n; ++i) at[i + 1] = at[i] + length_[i];
   for (std::size_t i = 1; i < n; ++i) {
@@ -108,8 +108,7 @@ void SplineRun::make_ends() {
     ends_[i].v = (h0 * d1 + h1 * d0) / (h0 + h1);
     ends_[i].a = (2 / (h0 + h1)) * (d1 - d0);
   }
-  for (std::size_t i = 1; i < n; ++i)
-    ends_[i].j = jerks_ ? (ends_[i + 1].a - ends_[i - 1].a) / (time_[i - 1] + time_[i]) : Vec{};
+  for (std::size_t i = 1; i < n; ++i) ends_[i].j = (ends_[i + 1].a - ends_[i - 1].a) / (time_[i - 1] + time_[i]);
   for (std::size_t i = 1; i < n; ++i) {
     const double s = share_[i];
     ends_[i].v = s * ends_[i].v;
@@ -140,7 +139,7 @@ SplineRun::Strains SplineRun::strains(std::size_t i, double resolution) const {
 }
 
 double SplineRun::tube_strain(const Bezier& x, std::size_t i, double resolution, int depth) const {
-  const double allowed = problem_.tube(first_ + i) + rounding_;
+  const double allowed = problem_.tolerance + rounding_;
   const auto distance = [&](Vec p) { return distance_from_edge(p, ends_[i].x, ends_[i + 1].x) / allowed; };
   return peak_of(x, distance, 0.25, resolution, depth);
 }
@@ -212,32 +211,46 @@ bool SplineRun::look(std::vector<Strains>& strains, ProgressScope& progress) {
   return inside;
 }
 
+/// Where points are dense, a speed that changes as smoothly as the profile's is most of what there is to gain. The path
+/// hardly depends on the profile: what the pieces at its full speed exceed lowers that speed, what the others exceed
+/// lowers its share of the limits, until either uses what there is.
+void SplineRun::search_profile(std::vector<Strains>& now, ProgressScope& progress) {
+  constexpr int rounds = 10;
+  constexpr double full = 0.9, least_of_limits = 0.02;
+  double speed = problem_.speed, share = 0.5;
+  for (int round = 0; round < rounds && intervals() > 1; ++round) {
+    start(speed, share);
+    follow_profile();
+    if (!in_tube(progress) || !look(now, progress)) return;
+    double top = 0, at_top = 0, elsewhere = 0;
+    for (const ProfileState& p : along_) top = std::max(top, p.v);
+    for (std::size_t i = 0; i < intervals(); ++i) {
+      double& most = std::max(along_[i].v, along_[i + 1].v) > full * top ? at_top : elsewhere;
+      most = std::max(most, now[i].time);
+    }
+    speed = std::min(top / at_top, problem_.speed);
+    if (elsewhere > 0) share = std::clamp(share / (elsewhere * elsewhere * elsewhere), least_of_limits, 1.0);
+  }
+}
+
 void SplineRun::search(ProgressScope& progress) {
   std::vector<Strains> now(intervals());
-  // Where points are dense, a speed that changes as smoothly as the profile's is most of what there is to gain. The
-  // path hardly depends on the share.
-  for (const std::size_t points : {3u, 5u}) {
-    if (!jerks_ || points > intervals() + 1) continue;
-    for (const double share : {0.5, 0.25, 1.0}) {
-      start(share);
-      follow_profile(points);
-      if (!in_tube(progress) || !look(now, progress)) break;
-    }
-  }
-  start(1);
+  search_profile(now, progress);
+  start(problem_.speed, 1);
   const int rounds = quick_ ? 10 : 24;
   for (int round = 0; round < rounds; ++round) {
     make_ends();
     if (!look(now, progress)) {
       reduce(now);
-      if (!rests_.empty()) return;
+      if (!rests_.empty()) break;
     }
     std::vector<double> factor(intervals());
     for (std::size_t i = 0; i < intervals(); ++i) factor[i] = now[i].time;
     smooth(factor);
     for (std::size_t i = 0; i < intervals(); ++i) time_[i] *= std::pow(std::clamp(factor[i], 0.8, 4.0), 0.8);
   }
-  if (best_.duration < unlimited) return;
+  if (best_.duration < unlimited) rests_.clear();
+  if (best_.duration < unlimited || !rests_.empty()) return;
   // The tube is too narrow for what is still prescribed at the point that is left with least.
   std::size_t least = 1;
   for (std::size_t i = 1; i < intervals(); ++i)

@@ -10,19 +10,18 @@
 
 namespace bahnwerk::probe {
 
-/// Returns whether there are so many points that one rule for jerks and fewer rounds have to do.
+/// Returns whether there are so many points that fewer rounds have to do.
 bool has_many_points(const ProbeProblem& problem);
 
 class SplineRun {
  public:
-  /// The spline goes from rest at point `first` to rest at point `last`; `jerks`: with jerks at the points;
-  /// `rest_soon`: whatever point had to be reduced is one of rests().
-  SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks, bool rest_soon = false);
+  /// The spline goes from rest at point `first` to rest at point `last`. `rest_soon`: whatever point had to be reduced
+  /// is one of rests().
+  SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool rest_soon = false);
 
-  /// Returns whether times were found. If rests() is not empty, resting there may be quicker or, without times,
-  /// necessary.
+  /// Returns whether times were found.
   bool solve(ProgressScope& progress);
-  /// Points at which the head has to rest.
+  /// Points at which the head has to rest where no times were found.
   const std::vector<std::size_t>& rests() const { return rests_; }
   double duration() const;  ///< s
   /// Returns the durations of the intervals, s.
@@ -36,12 +35,12 @@ class SplineRun {
     double tube = 0;  // deviation / δ
   };
   std::size_t intervals() const { return time_.size(); }
-  /// Sets times and along_ by the profile along the whole length under limits × `share`.
-  void start(double share);
+  /// Sets times and along_ by the profile along the whole length for a speed and for limits × `share`.
+  void start(double speed, double share);
   /// Sets the states at the points from along_. Path derivatives over the length of the polyline are those of the
-  /// polynomial through `points` = 3 or 5 points; pieces between states of less accuracy need the more snap the denser
-  /// the points are.
-  void follow_profile(std::size_t points);
+  /// polynomial through five points, three where there are no more; pieces between states of less accuracy need the
+  /// more snap the denser the points are.
+  void follow_profile();
   /// Sets the states at the points by the parabolas through three points, from the times alone.
   void make_ends();
   struct Best {
@@ -54,6 +53,7 @@ class SplineRun {
   bool look(std::vector<Strains>& strains, ProgressScope& progress);
   /// Returns whether the present pieces lie in the tube; a quick look, which ends at the first one that does not.
   bool in_tube(ProgressScope& progress) const;
+  void search_profile(std::vector<Strains>& now, ProgressScope& progress);
   void search(ProgressScope& progress);
   bool finish(ProgressScope& progress);
   Strains strains(std::size_t i, double resolution) const;
@@ -64,7 +64,7 @@ class SplineRun {
 
   const ProbeProblem& problem_;
   std::size_t first_;
-  bool jerks_, quick_;
+  bool quick_;
   double least_share_;                         // share of velocity at a point below which the head rests there
   double rounding_, reach_ = 0;                // mm: of distances; along which speeds change
   std::vector<double> length_, time_, share_;  // length and duration of each interval, λ of each point

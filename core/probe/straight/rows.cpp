@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
-#include <utility>
 
-#include "core/numeric/bisection.hpp"
 #include "core/probe/straight/straight.hpp"
 
 namespace bahnwerk::probe {
@@ -16,8 +13,7 @@ constexpr double room = 1e-3;  // part of the allowed distance that is left for 
 
 class RowFinder {
  public:
-  /// Straights use up to `share` of the allowed distances.
-  RowFinder(const ProbeProblem& problem, double share) : points_(problem.points), reach_(problem.points.size()) {
+  explicit RowFinder(const ProbeProblem& problem) : points_(problem.points), reach_(problem.points.size()) {
     std::vector<double> taken(points_.size(), 0.0);
     for (std::size_t i = 0; i < problem.given.size() && i < problem.point_of.size(); ++i) {
       double& most = taken[problem.point_of[i]];
@@ -25,8 +21,7 @@ class RowFinder {
     }
     const double rounding = coordinate_rounding(problem) / 4;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      allowed_.push_back((1 - room) * std::min(problem.point_tolerance - taken[i], problem.tolerance));
-      reach_[i] = std::max(rounding, share * allowed_[i]);
+      reach_[i] = std::max(rounding, (1 - room) * std::min(problem.point_tolerance - taken[i], problem.tolerance));
     }
   }
 
@@ -45,18 +40,6 @@ class RowFinder {
       before = along;
     }
     return true;
-  }
-
-  /// Returns the least of what the straight from a to b leaves of the points' allowed distances, mm, and the largest
-  /// part of them that it uses; points that rounding alone passes leave nothing.
-  std::pair<double, double> left(std::size_t a, std::size_t b) const {
-    double least = unlimited, most = 0;
-    for (std::size_t i = a + 1; i < b; ++i) {
-      const double distance = distance_from_edge(points_[i], points_[a], points_[b]);
-      least = std::min(least, std::max(0.0, allowed_[i] - distance));
-      most = std::max(most, distance / std::max(reach_[i], distance));
-    }
-    return {least, most};
   }
 
   /// Returns the end, in steps of `step` = ±1, of a long straight from a: the furthest one wherever the straights to
@@ -147,73 +130,19 @@ class RowFinder {
 
  private:
   const std::vector<Vec>& points_;
-  std::vector<double> reach_, allowed_;
+  std::vector<double> reach_;
 };
 
 }  // namespace
 
 std::vector<std::size_t> straight_rows(const ProbeProblem& problem) {
-  const RowFinder finder(problem, 1);
+  const RowFinder finder(problem);
   const std::vector<std::size_t> meet =
       finder.shortest([&](std::size_t a, std::size_t b) { return rest_to_rest_duration(problem, a, b); });
   std::vector<std::size_t> end(problem.points.size(), finder.last());
   for (std::size_t m = 0; m + 1 < meet.size(); ++m)
     for (std::size_t i = meet[m]; i < meet[m + 1]; ++i) end[i] = meet[m + 1];
   return end;
-}
-
-ThinnedProblem thinned(const ProbeProblem& problem) {
-  const RowFinder finder(problem, 0.5);
-  ThinnedProblem thin;
-  // As few straights as possible, and of these the nearest ones.
-  thin.point = finder.shortest([&](std::size_t a, std::size_t b) {
-    const double used = b - a > 1 ? finder.left(a, b).second : 0;
-    return 1 + used * used;
-  });
-  thin.problem = problem;
-  thin.problem.points.clear();
-  for (const std::size_t i : thin.point) {
-    thin.problem.points.push_back(problem.points[i]);
-    thin.next.push_back(std::min(thin.next.size() + 1, thin.point.size() - 1));
-  }
-  // Motions pass the points that are kept themselves; what is left to the others is the tolerance of the edges.
-  thin.problem.given = thin.problem.points;
-  thin.problem.point_of.resize(thin.point.size());
-  std::iota(thin.problem.point_of.begin(), thin.problem.point_of.end(), std::size_t{0});
-  thin.problem.point_tolerance = 0;
-  for (std::size_t m = 0; m + 1 < thin.point.size(); ++m)
-    thin.problem.edge_tolerance.push_back(
-        std::min(problem.tolerance, finder.left(thin.point[m], thin.point[m + 1]).first));
-  return thin;
-}
-
-ProbeMotion with_all_points(const ProbeProblem& problem, const ThinnedProblem& thin, ProbeMotion motion) {
-  const SplineMotion& spline = *motion.motion;
-  const std::vector<double> passed = std::move(motion.times);
-  std::vector<double> times{0};
-  std::size_t piece = 0;
-  for (std::size_t m = 0; m + 1 < thin.point.size(); ++m) {
-    const Vec from = problem.points[thin.point[m]], chord = problem.points[thin.point[m + 1]] - from;
-    for (std::size_t i = thin.point[m] + 1; i < thin.point[m + 1]; ++i) {
-      const double aim = dot(problem.points[i] - from, chord);
-      const auto before = [&](double t) {
-        const MotionState x = spline.in_piece(piece, t);
-        Vec position;
-        for (std::size_t k = 0; k < problem.dimension(); ++k) position[k] = x.position[k];
-        return dot(position - from, chord) < aim;
-      };
-      while (piece + 1 < spline.pieces() && spline.end(piece) < passed[m + 1] &&
-             (spline.end(piece) <= times.back() || before(spline.end(piece))))
-        ++piece;
-      const double low = std::max(times.back(), spline.begin(piece)), high = std::min(passed[m + 1], spline.end(piece));
-      const Bisection when = bisect(low, std::max(low, high), 0, 60, before);
-      times.push_back(std::max(times.back(), (when.low + when.high) / 2));
-    }
-    times.push_back(passed[m + 1]);
-  }
-  motion.times = std::move(times);
-  for (ProbePhase& phase : motion.phases) phase.point = thin.point[phase.point];
-  return motion;
 }
 
 }  // namespace bahnwerk::probe

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk::probe {
@@ -19,20 +18,5 @@ namespace bahnwerk::probe {
 /// either end lead to, and some between these. O(points · log points) where rows are short beside the path, some µs
 /// each.
 std::vector<std::size_t> straight_rows(const ProbeProblem& problem);
-
-/// A problem with fewer points whose motions pass the others, too.
-struct ThinnedProblem {
-  ProbeProblem problem;            ///< with a tolerance per edge
-  std::vector<std::size_t> point;  ///< the given problem's point of each point
-  std::vector<std::size_t> next;   ///< the next point of each, the last of the last: rows as straight_rows() has them
-};
-
-/// Leaves out points that are within half of their allowed distance of the straights between those that are kept. What
-/// they leave of the allowed distance is the tolerance of the edge. As few points as possible are kept.
-ThinnedProblem thinned(const ProbeProblem& problem);
-
-/// Returns a motion for `thin` as one for the problem it was made from: the points that were left out are passed where
-/// the motion crosses the plane through them that is normal to the edge. O(pieces + points).
-ProbeMotion with_all_points(const ProbeProblem& problem, const ThinnedProblem& thin, ProbeMotion motion);
 
 }  // namespace bahnwerk::probe

@@ -24,9 +24,15 @@ EdgeSamples<D>::EdgeSamples(const EdgeBoundProblem<D>& problem)
     fixed_[k] = set.p == set.q && set.radius < 1e-3 * length;
     radius_[k] = std::max(set.radius, 1e-4 * length);
   }
-  start_[1] = count();
-  start_[2] = start_[1] + rows(1);
-  for (std::size_t r = 2; r <= 4; ++r) start_[r + 1] = start_[r] + 2 * D * rows(r);
+  for (std::size_t k = 0; k < count(); ++k) {
+    tube_slack_.push_back(slacks_);
+    if (!fixed_[k]) ++slacks_;
+  }
+  for (std::size_t r = 1; r <= 4; ++r)
+    for (std::size_t k = 0; k < rows(r); ++k) {
+      row_slack_[r - 1].push_back(slacks_);
+      if (free_row(r, k)) slacks_ += r == 1 ? 1 : 2 * D;
+    }
 }
 
 template <int D>
@@ -98,8 +104,7 @@ double EdgeSamples<D>::slowest(const std::vector<Point>& x) const {
 
 template <int D>
 bool EdgeSamples<D>::evaluate(const std::vector<Point>& x, double h, std::vector<double>& slack) const {
-  slack.assign(slacks(), no_limit);
-  double least = no_limit;
+  slack.resize(slacks_);
   for (std::size_t k = 0; k < count(); ++k) {
     if (fixed_[k]) continue;
     bool cap;
@@ -107,8 +112,7 @@ bool EdgeSamples<D>::evaluate(const std::vector<Point>& x, double h, std::vector
     const Point d = offset(k, x[k], cap, u);
     double sum = 0;
     for (int a = 0; a < D; ++a) sum += d[a] * d[a];
-    slack[k] = 1 - sum / (radius_[k] * radius_[k]);
-    least = std::min(least, slack[k]);
+    slack[tube_slack(k)] = 1 - sum / (radius_[k] * radius_[k]);
   }
   double power = 1;
   for (std::size_t r = 1; r <= 4; ++r) {
@@ -120,7 +124,6 @@ bool EdgeSamples<D>::evaluate(const std::vector<Point>& x, double h, std::vector
         double sum = 0;
         for (int a = 0; a < D; ++a) sum += q[a] * q[a];
         slack[speed_slack(k)] = 1 - sum / (problem_.speed * problem_.speed);
-        least = std::min(least, slack[speed_slack(k)]);
         continue;
       }
       for (int a = 0; a < D; ++a) {
@@ -128,11 +131,10 @@ bool EdgeSamples<D>::evaluate(const std::vector<Point>& x, double h, std::vector
         double* s = &slack[axis_slack(r, k, a)];
         s[0] = 1 - ratio;
         s[1] = 1 + ratio;
-        least = std::min({least, s[0], s[1]});
       }
     }
   }
-  return least > 0;
+  return std::all_of(slack.begin(), slack.end(), [](double g) { return g > 0; });
 }
 
 template class EdgeSamples<1>;

@@ -13,7 +13,6 @@ template <int D>
 class EdgeSamples {
  public:
   using Point = std::array<double, D>;
-  static constexpr double no_limit = 1e300;  ///< marks the slack of a constraint that does not exist
 
   explicit EdgeSamples(const EdgeBoundProblem<D>& problem);
 
@@ -35,12 +34,14 @@ class EdgeSamples {
   /// is an end.
   Point offset(std::size_t k, const Point& x, bool& cap, Point& u) const;
 
-  /// Returns the number of slacks: one per sample, one per difference of first order, two per axis of the others.
-  std::size_t slacks() const { return start_[5]; }
-  std::size_t speed_slack(std::size_t k) const { return start_[1] + k; }
+  /// Returns the number of slacks: one per sample that is not fixed, one per free difference of first order, two per
+  /// axis of the other free ones.
+  std::size_t slacks() const { return slacks_; }
+  std::size_t tube_slack(std::size_t k) const { return tube_slack_[k]; }
+  std::size_t speed_slack(std::size_t k) const { return row_slack_[0][k]; }
   /// Returns the index of the slack of the upper limit; that of the lower limit is next.
   std::size_t axis_slack(std::size_t r, std::size_t k, int axis) const {
-    return start_[r] + 2 * (D * k + static_cast<std::size_t>(axis));
+    return row_slack_[r - 1][k] + 2 * static_cast<std::size_t>(axis);
   }
   /// Returns the least h under which the differences of x keep their limits.
   double slowest(const std::vector<Point>& x) const;
@@ -52,7 +53,9 @@ class EdgeSamples {
 
   const EdgeBoundProblem<D>& problem_;
   std::array<std::vector<std::array<double, 5>>, 4> rows_;
-  std::array<std::size_t, 6> start_{};
+  std::vector<std::size_t> tube_slack_;                // per sample
+  std::array<std::vector<std::size_t>, 4> row_slack_;  // per difference: its first one
+  std::size_t slacks_ = 0;
   std::vector<char> fixed_;
   std::vector<double> radius_;
 };

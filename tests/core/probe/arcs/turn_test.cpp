@@ -57,7 +57,7 @@ TEST(Turn, TheWrittenMotionPassesFromEntryToExitAndIsNeverFaster) {
     const MotionState middle = motion.motion->evaluate(size.duration / 2);
     EXPECT_LE(std::hypot(middle.position[0], middle.position[1]), 1e-13);
     // Its deviation is that of the densest samples.
-    const double deviation = turn.deviation(v, {{-9, 0}, at, 9 * out, 1, 1}, 0);
+    const double deviation = turn.deviation(v, {{-9, 0}, at, 9 * out, 1}, 0);
     EXPECT_GE(deviation, farthest * (1 - 1e-9) - 1e-15) << "but for the rounding of a turn on its own line";
     EXPECT_LE(deviation, farthest * (1 + 1e-3) + 1e-12);
   }

@@ -11,7 +11,7 @@ namespace {
 
 using test::corner, test::stops;
 
-TEST(ChainSolver, SlowerByAFactorIsKeptByThatFactor) {
+TEST(ChainSpeed, SlowerByAFactorIsKeptByThatFactor) {
   const ChainLimits<2> limits = corner();
   CellChain<2> chain = stops(limits);
   const double factor = slowing_factor(chain, limits, 0);

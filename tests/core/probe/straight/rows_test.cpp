@@ -89,17 +89,5 @@ TEST(Rows, RowsOfReversedPointsTakeTheSameTime) {
   }
 }
 
-TEST(Rows, AThinnedCircleIsPassedWithinItsTolerances) {
-  std::vector<Vec> points = probe_cases::circle(900, 10);
-  Random random(3);
-  for (Vec& x : points) x += Vec{2e-4 * random.uniform(-1, 1), 2e-4 * random.uniform(-1, 1)};
-  const ProbeProblem p = noisy(points, 0.002);
-  const ThinnedProblem thin = thinned(p);
-  EXPECT_LT(thin.point.size(), p.points.size() / 3);
-  SilentProgress silent;
-  const ProbeMotion plan = with_all_points(p, thin, plan_stops(thin.problem, silent));
-  probe_cases::expect_right(p, plan);
-}
-
 }  // namespace
 }  // namespace bahnwerk::probe
