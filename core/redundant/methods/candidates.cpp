@@ -182,7 +182,7 @@ bool PlanChoice::plan_step(int step) {
 Expected<RedundancyResult, NoPlan> PlanChoice::planned(CandidatePlanner planner, const RedundancyTask& task) {
   if (planner == coarse_axes) {
     RedundancyOptions law = options_;
-    if (options_.method == RedundancyMethod::joint) law.keep_reserve = false;
+    law.keep_reserve = false;  // as in the joint planner's plans
     RedundancyResult alone = plan_coarse_alone(task, law, progress_, to_);
     if (options_.method == RedundancyMethod::joint) smooth(alone, task, options_);
     return alone;
