@@ -15,6 +15,7 @@
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/redundant/coarse_fine.hpp"
+#include "core/redundant/no_plan.hpp"
 
 namespace bahnwerk {
 
@@ -56,7 +57,6 @@ struct RedundancyOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   double smoothness = 0;         ///< joint: 0 … 1, how much longer the motion may be for smoother coarse axes
   double stretch = 0;            ///< joint: ≥ 1, factor of the shortest duration; 0: it follows from `smoothness`
-  bool coarse_alone = false;     ///< joint: whether the fine axes stand still
   double least_stroke = 0.02;    ///< joint: mm; a fine axis with a shorter stroke stands still, except in a lone move
   bool compare = true;           ///< whether to compute the table of trade-offs, where the method has one
   bool keep_reserve = false;     ///< whether the head's time law keeps the braking reserve K_b [Bock (2.11)]
@@ -113,13 +113,11 @@ struct RedundancyLag {
   double circle_growth = 0;    ///< relative growth of the radius of a circle of 1 mm at 100 mm/s; negative: it shrinks
 };
 
-/// Why a plan gave way to another one: it failed verification, it takes longer, the planner found no motion, or the
-/// planner does not fit the machine (an axis without a fine one, fine axes that have to be centred).
-enum class GivingWay { verification, slower, no_motion, unsuited };
-inline constexpr Named<GivingWay> reasons_to_give_way[] = {{GivingWay::verification, "verification"},
-                                                           {GivingWay::slower, "slower"},
-                                                           {GivingWay::no_motion, "no_motion"},
-                                                           {GivingWay::unsuited, "unsuited"}};
+/// Why a plan gave way to another one: it failed verification, the planner found no motion, or the planner does not fit
+/// the machine (an axis without a fine one, fine axes that have to be centred).
+enum class GivingWay { verification, no_motion, unsuited };
+inline constexpr Named<GivingWay> reasons_to_give_way[] = {
+    {GivingWay::verification, "verification"}, {GivingWay::no_motion, "no_motion"}, {GivingWay::unsuited, "unsuited"}};
 
 inline constexpr const char* coarse_axes_alone = "coarse_alone";  ///< planner without fine axes, in GaveWay
 inline constexpr const char* timed_again = "timed_again";         ///< motion of a method, reparametrised, in GaveWay
@@ -153,7 +151,6 @@ struct RedundancyResult {
   std::size_t slowed_count = 0;       ///< number of slowed segments, if the method only counts them
   std::size_t certified = 0;          ///< intervals with a certificate that the coarse axes cannot follow
   bool coarse_jerk_limited = false;   ///< whether the coarse acceleration is continuous though no jerk is limited
-  std::vector<GaveWay> gave_way;      ///< plans that another one replaced, in turn
   std::vector<RedundancyLag> lags;    ///< without and with the prefilter, if drives were simulated
   std::vector<std::string> notes;     ///< remarks for the user, English sentences
 };

@@ -34,7 +34,7 @@ void solution(benchmark::State& state) {
   options.longest = chain_units(task.machine.axes[0]).time / 24;
   ProgressScope stage_progress(progress, "bench", 0, 1);
   const HeadCells cells = head_cells(head, options, stage_progress);
-  const Chain<2> chain = following<2>(cells, 0, task.machine.axes[0]);
+  const Chain<2> chain = following<2>(cells, 0, task.machine.axes[0]).value();
   ChainSolution<2> s;
   for (auto _ : state) s = solve(chain, {});
   state.counters["cells"] = static_cast<double>(cells.size());
@@ -49,7 +49,7 @@ void plan(benchmark::State& state) {
   const JointTask task = sheet(state.range(0));
   SilentProgress progress;
   JointResult r;
-  for (auto _ : state) r = plan_joint(task, {}, progress);
+  for (auto _ : state) r = *plan_joint(task, {}, progress);
   state.counters["cells"] = static_cast<double>(r.cells);
   state.counters["gap"] = r.chosen.duration / r.fastest - 1;
   state.counters["plan_s_per_motion_s"] = benchmark::Counter(

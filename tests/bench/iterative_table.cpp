@@ -23,17 +23,22 @@ void row(const RedundancyTask& task, RedundancyOptions options, const char* name
     options.knot_multiplicity = multiplicity;
     SilentProgress progress;
     const double begin = processor_time();
-    const RedundancyResult r = plan_iterative(task, options, progress, 0, 1);
+    const Expected<RedundancyResult, NoPlan> found = plan_iterative(task, options, progress, 0, 1);
     const double spent = processor_time() - begin;
+    if (!found) {
+      std::printf("%-34s m=%d k=%d  no split\n", name, degree, multiplicity);
+      continue;
+    }
+    const RedundancyResult& r = *found;
     double cut = 0, position = 0;
     const std::vector<BlockTime> times = block_times(*task.contour, r.head->law());
     for (std::size_t i = 0; i < times.size(); ++i)
       (task.contour->blocks[i].mode == Mode::cut ? cut : position) += times[i].end - times[i].begin;
     std::printf(
-        "%-34s m=%d k=%d  cut %.4f position %.4f all %.4f  first %.4f ratio %.5f  iterations %zu fallbacks %zu  "
+        "%-34s m=%d k=%d  cut %.4f position %.4f all %.4f  first %.4f ratio %.5f  iterations %zu  "
         "planning/motion %.4f\n",
         name, degree, multiplicity, cut, position, r.head->duration(), r.fastest, r.head->duration() / r.fastest,
-        r.iterations, r.gave_way.size(), spent / r.head->duration());
+        r.iterations, spent / r.head->duration());
     std::fflush(stdout);
   }
 }

@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "core/base/infeasible_at.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/plan/coarse_fine/coarse_fine_setpoints.hpp"
 #include "core/plan/coarse_fine/fitted_motion.hpp"
-#include "core/plan/coarse_fine/giving_way.hpp"
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
 #include "core/plan/pipeline.hpp"
 #include "core/redundant/joint/energy.hpp"
-#include "core/redundant/methods/method_table.hpp"
+#include "core/redundant/methods/candidates.hpp"
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"
 #include "core/verify/redundant/centre_checks.hpp"
@@ -87,23 +84,17 @@ class CoarseFineProblem final : public MotionProblem {
   void plan() override {
     prepare();
     find_bound();
-    tried_ = options_;
-    if (!tried(bounded()) && !plan_otherwise()) std::rethrow_exception(why_not_);
+    RedundancyTask task{path_.moving, contour_, machine_, path_.feeds, path_.rests, path_.dwells, bound_.value};
+    task.machine.axes.resize(moving_);
+    RedundancyOptions options = options_;
+    options.corner_angle = planning_.corner_angle;
+    choice_.emplace(std::move(task), options, progress_, bounded(), planned);
+    if (!take_next()) choice_->refuse();
   }
 
-  /// The motion before reparametrisation, or the joint planner's, or that of the coarse axes alone, as alternatives.
   bool plan_otherwise() override {
-    if (found_ && std::find(result_.notes.begin(), result_.notes.end(), backwards_note) != result_.notes.end()) {
-      either_direction_ = false;  // the next plan is in the direction of time alone
-      if (tried(planned)) return true;
-    }
-    for (std::optional<RedundancyOptions> next = another(tried_); next; next = another(*next)) {
-      give_up();
-      tried_ = *next;
-      if (tried(planned)) return true;
-    }
-    if (!found_) std::rethrow_exception(why_not_);
-    return false;
+    choice_->reject(duration(), verdict_);
+    return take_next();
   }
 
   double duration() const override { return result_.head->duration() * stretch_; }
@@ -144,7 +135,8 @@ class CoarseFineProblem final : public MotionProblem {
   }
 
   std::shared_ptr<const Motion> motion() override {
-    note_other_ways();
+    if (std::optional<std::string> note = choice_->quicker_coarse_axes(duration()))
+      result_.notes.push_back(*std::move(note));
     return plan_.head;
   }
 
@@ -210,7 +202,7 @@ class CoarseFineProblem final : public MotionProblem {
     }
     plan_.slowed_count = std::max(plan_.slowed.size(), result_.slowed_count);
     plan_.certified = result_.certified;
-    plan_.gave_way = std::move(result_.gave_way);
+    plan_.gave_way = choice_->gave_way(duration());
     plan_.coarse_jerk_limited = result_.coarse_jerk_limited;
     plan_.lags = std::move(result_.lags);
     return std::move(plan_);
@@ -261,68 +253,12 @@ class CoarseFineProblem final : public MotionProblem {
     bound_.basis += "; sections with their neighbours";
   }
 
-  void method(RedundancyOptions options, double from) {
-    RedundancyTask task{path_.moving, contour_, machine_, path_.feeds, path_.rests, path_.dwells};
-    task.machine.axes.resize(moving_);
-    task.bound = either_direction_ ? bound_.value : 0;
-    options.corner_angle = planning_.corner_angle;
-    gantry_takes_over_ = gantry_takes_over(task, options.method);
-    result_ = plan_redundant(task, options, progress_, from, planned);
+  /// Takes the next plan of the list. Returns false, leaving the plan at hand, if there is none.
+  bool take_next() {
+    if (!choice_->next()) return false;
+    result_ = std::move(choice_->plan());
     stretch_ = 1;
-  }
-
-  /// Plans with the options tried_. Returns false if there is no plan.
-  bool tried(double from) {
-    found_ = false;
-    try {
-      method(tried_, from);
-      return found_ = true;
-    } catch (const InfeasibleAt&) {  // what names a member of the document tells most
-      why_not_ = std::current_exception();
-      return false;
-    } catch (const Infeasible&) {
-      if (!why_not_) why_not_ = std::current_exception();
-      return false;
-    }
-  }
-
-  /// Returns the options of the next attempt after a plan with the given ones exceeded limits.
-  std::optional<RedundancyOptions> another(RedundancyOptions options) const {
-    options.compare = false;
-    if (options.reparametrise)
-      options.reparametrise = false;
-    else if (options.method != RedundancyMethod::joint)
-      options.coarse_alone = gantry_takes_over_, options.method = RedundancyMethod::joint;
-    else if (!options.coarse_alone)
-      options.coarse_alone = true;
-    else
-      return std::nullopt;
-    return options;
-  }
-
-  std::string tried_name() const {
-    if (tried_.coarse_alone) return coarse_axes_alone;
-    return tried_.reparametrise ? timed_again : planner_name(tried_.method);
-  }
-
-  /// Records the plan at hand, and those that it had replaced, as one that gives way.
-  void give_up() {
-    if (!found_) return given_up_.add_without_motion(tried_name());
-    const bool replaced = !tried_.reparametrise && !result_.gave_way.empty();
-    const std::string planner = replaced ? result_.gave_way.back().used : tried_name();
-    given_up_.add(std::move(result_.gave_way));
-    given_up_.add_failed(planner, duration(), verdict_);
-  }
-
-  /// Adds the rows and the notes of plans that were replaced.
-  void note_other_ways() {
-    if (given_up_.empty()) return;
-    result_.gave_way = given_up_.table(std::move(result_.gave_way), tried_name(), duration());
-    if (!tried_.coarse_alone)
-      result_.notes.push_back(
-          tried_.method == options_.method
-              ? "the motion timed again did not hold every limit: it is as the method planned it"
-              : "the method found no motion that holds every limit; the joint planner planned the contour");
+    return true;
   }
 
   double value(CheckedQuantity quantity, int order, const std::string& axis) {
@@ -355,15 +291,10 @@ class CoarseFineProblem final : public MotionProblem {
   std::vector<AxisLimits> moving_coarse_, moving_fine_;
   std::vector<SectionBound> section_bounds_;
   Machine coarse_machine_;
-  RedundancyOptions tried_;
+  std::optional<PlanChoice> choice_;
   RedundancyResult result_;
-  bool either_direction_ = true;           // whether the contour is planned from its end to its begin, too
-  bool found_ = false;                     // the last method found a motion
-  bool gantry_takes_over_ = false;         // whether the coarse axes alone replace a method without a motion
-  std::exception_ptr why_not_;             // the method found nothing
-  GivenUpPlans given_up_;                  // plans that did not hold their limits
   Verification verdict_;                   // on the plan at hand
-  double stretch_ = 1;                     // on top of what the method found
+  double stretch_ = 1;                     // on top of what the planner found
   double factor_ = 1, cycles_factor_ = 1;  // that the motion was slowed by, and the part of it for whole cycles
   Bound bound_;
   CoarseFinePlan plan_;

@@ -52,12 +52,12 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine);
 /// (core/verify/redundant/coarse_fine_checks.hpp), all their setpoints, and that the duration is not below the bound of
 /// the head under the summed limits, which holds for any split. A limit exceeded by rounding (relatively by 1e-4) slows
 /// the whole motion accordingly. Of `planning` only corners, mode changes and the number of setpoints apply; the head's
-/// law is always the shortest one, with limited jerk if the machine limits it. If a plan fails verification, or a
-/// method finds none, the same plan without reparametrisation, then the joint planner's, and finally that of the coarse
-/// axes alone take its place, which `gave_way` tells and a note.
+/// law is always the shortest one, with limited jerk if the machine limits it. The list in
+/// core/redundant/methods/candidates.cpp says what is planned, and what takes the place of a plan that fails
+/// verification or of a method without a plan; `gave_way` is its record.
 ///
 /// Cost: that of the method and 2 to 8 µs per cell of its coarse motion for verification. Throws what rounding and
-/// method throw.
+/// methods throw, and Infeasible if no candidate has a plan.
 CoarseFinePlan plan_coarse_fine(Contour contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
                                 const RedundancyOptions& options, Progress& progress);
 

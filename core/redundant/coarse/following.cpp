@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/errors.hpp"
-
 namespace bahnwerk {
 namespace {
 
@@ -13,11 +11,11 @@ constexpr double kept =
     1 - 1e-6;  // share of strokes and velocities that boxes use; the rest exceeds the solver's residual
 
 /// Returns the range of the coarse axis, whose own limit is `coarse`, such that the fine axis keeps its limit `fine`
-/// while the head's value lies in `head`.
-Range left(double coarse, double fine, const Range& head, const char* what) {
+/// while the head's value lies in `head`; none if the head exceeds both limits.
+std::optional<Range> left(double coarse, double fine, const Range& head) {
   Range r{std::max(-coarse, head.highest - fine), std::min(coarse, head.lowest + fine)};
   if (r.lowest > r.highest) {
-    if (r.lowest - r.highest > excess_allowed * (coarse + fine)) throw Infeasible(what);
+    if (r.lowest - r.highest > excess_allowed * (coarse + fine)) return std::nullopt;
     r.lowest = r.highest = std::clamp(r.middle(), -coarse, coarse);
   }
   return r;
@@ -30,7 +28,8 @@ ChainUnits chain_units(const CoarseFineAxis& axis) {
 }
 
 template <std::size_t order>
-Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits, double stretch) {
+std::optional<Chain<order>> following(const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
+                                      double stretch) {
   const ChainUnits units = chain_units(limits);
   const std::vector<HeadNode>& nodes = head.nodes[axis];
   const std::vector<HeadCell>& cells = head.cells[axis];
@@ -45,14 +44,11 @@ Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFine
   chain.states.resize(n + 1);
   for (std::size_t c = 0; c < n; ++c) {
     chain.steps[c] = (head.times[c + 1] - head.times[c]) * stretch / units.time;
-    if constexpr (order == 2)
-      chain.controls[c] = scaled(left(limits.coarse.acceleration, limits.fine.acceleration,
-                                      slowed(cells[c].acceleration, s2), "the head's acceleration exceeds both axes'"),
-                                 units.acceleration());
-    else
-      chain.controls[c] = scaled(
-          left(limits.coarse.jerk, limits.fine.jerk, slowed(cells[c].jerk, s3), "the head's jerk exceeds both axes'"),
-          units.jerk());
+    const std::optional<Range> box =
+        order == 2 ? left(limits.coarse.acceleration, limits.fine.acceleration, slowed(cells[c].acceleration, s2))
+                   : left(limits.coarse.jerk, limits.fine.jerk, slowed(cells[c].jerk, s3));
+    if (!box) return std::nullopt;
+    chain.controls[c] = scaled(*box, order == 2 ? units.acceleration() : units.jerk());
   }
   for (std::size_t i = 0; i <= n; ++i) {
     // Reductions of the boxes that the cells on both sides require.
@@ -89,7 +85,7 @@ Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFine
   return chain;
 }
 
-template Chain<2> following(const HeadCells&, std::size_t, const CoarseFineAxis&, double);
-template Chain<3> following(const HeadCells&, std::size_t, const CoarseFineAxis&, double);
+template std::optional<Chain<2>> following(const HeadCells&, std::size_t, const CoarseFineAxis&, double);
+template std::optional<Chain<3>> following(const HeadCells&, std::size_t, const CoarseFineAxis&, double);
 
 }  // namespace bahnwerk

@@ -10,6 +10,7 @@
 /// by at most min(J_c·h²/8, A_c·h/4). Where the head's velocity or acceleration jumps at a node, the values on both
 /// sides count.
 #include <cstddef>
+#include <optional>
 
 #include "core/redundant/chain/chain.hpp"
 #include "core/redundant/coarse_fine.hpp"
@@ -29,11 +30,12 @@ struct ChainUnits {
 ChainUnits chain_units(const CoarseFineAxis& axis);
 
 /// Returns the chain of axis `axis` with one cell per cell of `head`, whose times are first multiplied by `stretch` ≥
-/// 1. Throws Infeasible where the head exceeds the sum of the limits by more than rounding.
+/// 1; none if the head exceeds the sum of the limits by more than rounding.
 template <std::size_t order>
-Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits, double stretch = 1);
+std::optional<Chain<order>> following(const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
+                                      double stretch = 1);
 
-extern template Chain<2> following(const HeadCells&, std::size_t, const CoarseFineAxis&, double);
-extern template Chain<3> following(const HeadCells&, std::size_t, const CoarseFineAxis&, double);
+extern template std::optional<Chain<2>> following(const HeadCells&, std::size_t, const CoarseFineAxis&, double);
+extern template std::optional<Chain<3>> following(const HeadCells&, std::size_t, const CoarseFineAxis&, double);
 
 }  // namespace bahnwerk

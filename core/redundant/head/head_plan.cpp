@@ -206,14 +206,13 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std
 }
 
 template <std::size_t order>
-std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone(bool stops) const {
+std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone() const {
   Machine coarse = coarse_machine(task_.machine, coarse_share);
   for (std::size_t k = 0; k < coarse.axes.size(); ++k)
     coarse.axes[k].jerk = std::min(coarse.axes[k].jerk, limits_.axes[k].jerk);  // what cells take the head to hold
-  const std::vector<bool> rests = stops ? rests_at_jumps(*task_.path, task_.rests) : task_.rests;
-  const PathTask path{*task_.path, coarse, {}, rests, task_.dwells};
+  const PathTask path{*task_.path, coarse, {}, task_.rests, task_.dwells};
   return std::make_shared<const PathMotion>(task_.path,
-                                            with_dwells(planned(coarse, task_.feeds, rests), path, progress_));
+                                            with_dwells(planned(coarse, task_.feeds, task_.rests), path, progress_));
 }
 
 template class HeadPlan<2>;

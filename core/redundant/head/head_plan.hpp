@@ -51,9 +51,9 @@ class HeadPlan {
   /// section.
   std::size_t section_begin(std::size_t segment) const;
   std::size_t section_end(std::size_t segment) const;
-  /// Returns the head planned with the coarse axes' limits alone, which they can follow without fine axes. With limited
-  /// jerk that requires a rest at every jump of curvature: `stops` adds those rests.
-  std::shared_ptr<const PathMotion> coarse_alone(bool stops = false) const;
+  /// Returns the head planned with the coarse axes' limits alone; with limited jerk the fine axes take jumps of
+  /// curvature.
+  std::shared_ptr<const PathMotion> coarse_alone() const;
 
  private:
   struct SlowerLaw {

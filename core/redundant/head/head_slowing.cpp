@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/errors.hpp"
 #include "core/redundant/chain/chain_windows.hpp"
 #include "core/redundant/coarse/following.hpp"
 #include "core/redundant/head/clusters.hpp"
@@ -28,26 +27,30 @@ double relaxation_factor_of(std::size_t round) {
 }  // namespace
 
 template <std::size_t order>
-typename HeadSlowing<order>::Problem HeadSlowing<order>::problem(const SegmentRange& range) {
+Expected<typename HeadSlowing<order>::Problem, NoPlan> HeadSlowing<order>::problem(const SegmentRange& range) {
   Problem p;
   p.head = plan_.motion(range.first, range.last);
   const bool all = range.last == p.head->path().size();
   p.cells = head_cells(*p.head, 0, p.head->pieces() - (all ? 0 : 1), cell_options_, scope_);
   for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
     if (!(machine_.axes[k].stroke > 0)) continue;
+    std::optional<Chain<order>> chain = following<order>(p.cells, k, machine_.axes[k]);
+    if (!chain) return NoPlan::head_exceeds_limits;
     p.axes.push_back(k);
-    p.chains.push_back(following<order>(p.cells, k, machine_.axes[k]));
+    p.chains.push_back(*std::move(chain));
     p.chains.back().begins_at_rest = range.first == 0;
     p.chains.back().ends_at_rest = all;
   }
-  if (work_ > most_work || all_work_.spent())
-    throw Infeasible("slower sections were not found with the effort that is worth it");
+  if (work_ > most_work || all_work_.spent()) return NoPlan::effort;
   return p;
 }
 
 template <std::size_t order>
-bool HeadSlowing<order>::slow_once(const SegmentRange& range, std::size_t round, HeadSlowingCounts& counts) {
-  const Problem p = problem(range);
+Expected<bool, NoPlan> HeadSlowing<order>::slow_once(const SegmentRange& range, std::size_t round,
+                                                     HeadSlowingCounts& counts) {
+  const Expected<Problem, NoPlan> found_problem = problem(range);
+  if (!found_problem) return found_problem.reason();
+  const Problem& p = *found_problem;
   ChainOptions rough;
   rough.gap = rough_gap;
   rough.any = true;
@@ -63,7 +66,7 @@ bool HeadSlowing<order>::slow_once(const SegmentRange& range, std::size_t round,
     }
     if (solution.excess <= 0) continue;
     const std::vector<Cluster<order>> found = clusters(p.chains[k], solution, 0.0);
-    if (found.empty()) throw Infeasible("the coarse axes do not come to rest");
+    if (found.empty()) return NoPlan::cannot_follow;  // the coarse axes do not come to rest
     for (const Cluster<order>& c : found) {
       counts.certified += round == 1 && c.certificate.value > 0;
       lower_section_limits(p.head->law(), p.cells, p.axes[k], machine_.axes[p.axes[k]], c, relaxation_factor_of(round),
@@ -76,15 +79,16 @@ bool HeadSlowing<order>::slow_once(const SegmentRange& range, std::size_t round,
 
 template <std::size_t order>
 bool HeadSlowing<order>::followed(const SegmentRange& range) {
-  const Problem p = problem(range);
+  const Expected<Problem, NoPlan> p = problem(range);
+  if (!p) return false;
   ChainOptions rough;
   rough.gap = rough_gap;
   rough.any = true;
   rough.max_iterations = patience;
   rough.tick = [this] { scope_.report(); };
-  return std::all_of(p.chains.begin(), p.chains.end(), [&](const Chain<order>& chain) {
+  return std::all_of(p->chains.begin(), p->chains.end(), [&](const Chain<order>& chain) {
     const ChainSolution<order> solution = solve(chain, rough);
-    worked(static_cast<std::size_t>(solution.iterations), p.cells.size());
+    worked(static_cast<std::size_t>(solution.iterations), p->cells.size());
     return solution.excess <= 0;
   });
 }
@@ -132,13 +136,15 @@ void HeadSlowing<order>::raise(const SegmentRange& range) {
 }
 
 template <std::size_t order>
-bool HeadSlowing<order>::run(const SegmentRange& range, HeadSlowingCounts& counts) {
+Expected<bool, NoPlan> HeadSlowing<order>::run(const SegmentRange& range, HeadSlowingCounts& counts) {
   bool raised = false;
   work_ = 0;
   const double longest = hopeless * plan_.motion(range.first, range.last)->duration();
   for (std::size_t round = 1; round <= static_cast<std::size_t>(max_rounds_); ++round) {
     counts.rounds = std::max(counts.rounds, round);
-    if (slow_once(range, round, counts)) {
+    const Expected<bool, NoPlan> slower = slow_once(range, round, counts);
+    if (!slower) return slower.reason();
+    if (*slower) {
       if (plan_.motion(range.first, range.last)->duration() > longest) break;
       continue;
     }
@@ -149,7 +155,7 @@ bool HeadSlowing<order>::run(const SegmentRange& range, HeadSlowingCounts& count
     if (!searched) raise(range);
     raised = true;
   }
-  throw Infeasible("the coarse axes cannot follow, however slowly the tool moves");
+  return NoPlan::cannot_follow;
 }
 
 template class HeadSlowing<2>;

@@ -12,6 +12,7 @@
 #include "core/redundant/chain/chain_solver.hpp"
 #include "core/redundant/head/head_cells.hpp"
 #include "core/redundant/head/head_plan.hpp"
+#include "core/redundant/no_plan.hpp"
 
 namespace bahnwerk {
 
@@ -46,9 +47,9 @@ class HeadSlowing {
         all_work_(work),
         scope_(scope) {}
 
-  /// Makes the sections in `range` feasible and adds to `counts`. Returns false if nothing had to be slowed. Throws
-  /// Infeasible where no lower limit helps, the duration would grow tenfold, or the budget is spent.
-  bool run(const SegmentRange& range, HeadSlowingCounts& counts);
+  /// Makes the sections in `range` feasible and adds to `counts`. Returns whether anything had to be slowed, or why no
+  /// lower limits were found: none helps, the duration would grow tenfold, or the budget is spent.
+  Expected<bool, NoPlan> run(const SegmentRange& range, HeadSlowingCounts& counts);
 
  private:
   struct Problem {
@@ -57,8 +58,8 @@ class HeadSlowing {
     std::vector<std::size_t> axes;  // indices of the axes with a fine axis
     std::vector<Chain<order>> chains;
   };
-  Problem problem(const SegmentRange& range);
-  bool slow_once(const SegmentRange& range, std::size_t round, HeadSlowingCounts& counts);
+  Expected<Problem, NoPlan> problem(const SegmentRange& range);
+  Expected<bool, NoPlan> slow_once(const SegmentRange& range, std::size_t round, HeadSlowingCounts& counts);
   bool followed(const SegmentRange& range);
   SegmentRange neighbourhood(const SegmentRange& range, std::size_t segment);
   void raise(const SegmentRange& range);

@@ -51,7 +51,12 @@ SectionTimingSearch::Timed SectionTimingSearch::timed(std::size_t first, std::si
   const HeadCells cells = head_cells(*head, 0, head->pieces() - (all ? 0 : 1), cell_options_, scope_);
   t.duration = cells.times.back();
   for (const std::size_t k : split_) {
-    Chain<2> chain = following<2>(cells, k, machine_.axes[k]);
+    std::optional<Chain<2>> followed = following<2>(cells, k, machine_.axes[k]);
+    if (!followed) {
+      t.chains.clear();
+      return t;
+    }
+    Chain<2>& chain = *followed;
     chain.begins_at_rest = first == 0;
     chain.ends_at_rest = all;
     for (auto& boxes : chain.states)
@@ -85,6 +90,7 @@ void SectionTimingSearch::carry_backward(std::size_t from, std::size_t to) {
 }
 
 bool SectionTimingSearch::possible(std::size_t section, const Timed& timed) const {
+  if (timed.chains.empty()) return false;
   for (std::size_t k = 0; k < split_.size(); ++k) {
     const Chain<2>& chain = timed.chains[k];
     const std::size_t n = chain.cells(), middle = n / 2;
@@ -105,6 +111,7 @@ bool SectionTimingSearch::set_room(double room) {
   for (std::size_t i = first_; i < last_;) {
     const std::size_t end = plan_.section_end(i);
     sections_.push_back(timed(i, end));
+    if (sections_.back().chains.empty()) return false;
     i = end;
   }
   const std::size_t n = sections_.size(), axes = split_.size();
@@ -303,7 +310,7 @@ bool SectionTimingSearch::exchange(std::size_t section, const Speeds& before, st
   const StraightMove& m = straight(move)->move;
   Timed changed = timed(sections_[section].first, sections_[section].last);
   const double limit = sections_[move].duration + sections_[section].duration - changed.duration;
-  if (!(duration_of(m, m.fastest) < limit * (1 - worth))) {
+  if (changed.chains.empty() || !(duration_of(m, m.fastest) < limit * (1 - worth))) {
     restore(section, before);
     return false;
   }

@@ -38,7 +38,7 @@ class SectionTimingSearch {
   struct Timed {
     std::size_t first = 0, last = 0;  // segments
     double duration = 0;
-    std::vector<Chain<2>> chains;  // per axis that has a fine one
+    std::vector<Chain<2>> chains;  // per axis that has a fine one; empty if the head exceeds both axes' limits
   };
   struct Speeds {  // limits of a section
     Pace pace;

@@ -19,14 +19,13 @@ constexpr double rounding = 1e-9;          // relative excess of limits that cou
 
 constexpr double least_tolerance = 0.1;  // least share of the stroke that thinning has to leave
 
-/// Largest distance of samples at which a fine axis cannot leave its stroke unnoticed. Larger distances come from the
-/// document, and samples of every cycle are the densest possible.
-[[noreturn]] void too_far_apart(const std::string& axis, double spacing, int thinning) {
+/// Refuses a distance of samples at which a fine axis may leave its stroke unnoticed.
+[[noreturn]] void too_far_apart(const std::string& axis, double spacing) {
   char text[160];
-  std::snprintf(text, sizeof text, "between samples %.3g ms apart the fine axis %s may leave its stroke", 1e3 * spacing,
-                axis.c_str());
-  if (thinning == 1) throw Infeasible(text);
-  throw InvalidInput({{{"machine", "redundancy", "thinning"}, std::string(text) + "; give a smaller number"}});
+  std::snprintf(text, sizeof text,
+                "between samples %.3g ms apart the fine axis %s may leave its stroke; give a smaller number",
+                1e3 * spacing, axis.c_str());
+  throw InvalidInput({{{"machine", "redundancy", "thinning"}, text}});
 }
 
 /// [Bock 4.3.2]: ideally the coarse axes stand still, so the head gets the fine axes' limits; velocities are sums of
@@ -76,8 +75,10 @@ AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions
              from + 0.2 * (to - from), sections_.width()) {
   const double spacing = task.machine.cycle_time * options.thinning;
   for (std::size_t k = 0; k < axes(); ++k) {
-    if (!(tolerance(k, spacing, machine_.axes[k].velocity) > least_tolerance * task.machine.axes[k].stroke))
-      too_far_apart(task.machine.axes[k].name, spacing, options.thinning);
+    if (!(tolerance(k, spacing, machine_.axes[k].velocity) > least_tolerance * task.machine.axes[k].stroke)) {
+      if (options.thinning > 1) too_far_apart(task.machine.axes[k].name, spacing);
+      resolves_samples_ = false;  // samples of every cycle are the densest possible
+    }
     limits_.acceleration.emplace_back(task.path->size(), machine_.axes[k].acceleration);
     limits_.jerk.emplace_back(task.path->size(), machine_.axes[k].jerk);
   }

@@ -49,15 +49,15 @@ struct SplitPart {
 /// Iterates head plan, coarse fit and limit adaptation.
 class AdaptiveSplit {
  public:
-  /// All references must outlive this object. Throws InvalidInput if thinning leaves nothing of the stroke, Infeasible
-  /// if samples at every cycle leave nothing, and what the head's planners throw.
+  /// All references must outlive this object. Throws InvalidInput if thinning leaves nothing of the stroke, and what
+  /// the head's planners throw.
   AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions& options, const IterativeOptions& constants,
                 Progress& progress, double from, double to);
 
+  /// Tells whether samples at every cycle leave enough of every stroke for the fit; without that solve() is not called.
+  bool resolves_samples() const { return resolves_samples_; }
   const HeadSections& sections() const { return sections_; }
   double fastest() const { return fastest_; }  ///< s, duration of the head's first plan
-  /// Returns the head planned with the coarse axes' limits alone.
-  const HeadSections& alone() const { return alone_; }
   /// Returns the passes of all windows so far, including windows without a result; the last pass of a solved window is
   /// valid.
   const std::vector<RedundancyIteration>& passes() const { return passes_; }
@@ -114,6 +114,7 @@ class AdaptiveSplit {
   std::vector<char> touched_;  ///< per section: whether it was planned again with lower limits
   HeadSections sections_, alone_;
   double fastest_ = 0;
+  bool resolves_samples_ = true;
   std::vector<RedundancyIteration> passes_;
   KeptKnots knots_;
 };

@@ -7,7 +7,6 @@
 
 #include "core/base/errors.hpp"
 #include "core/redundant/iterative/coarse_motion.hpp"
-#include "core/redundant/joint/joint_method.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -28,23 +27,27 @@ void check(const RedundancyTask& task, const RedundancyOptions& options) {
     refuse("window", "windows overlap by less than their blocks");
 }
 
-constexpr int most_halvings = 2;        // largest number of times the fine accelerations are halved to find a motion
+/// A share of the fine accelerations with which a motion is searched.
+struct Share {
+  double value;
+  const char* note;
+};
+constexpr Share shares[] = {
+    {1, nullptr},
+    {0.5, "no motion was found with all of the fine axes' accelerations, but with half of them"},
+    {0.25, "no motion was found with all of the fine axes' accelerations, but with a quarter of them"}};
 constexpr double resolved_share = 0.2;  // share of the stroke that samples of every cycle leave to the fit
 
 /// Returns the task with fine accelerations with which a fine axis cannot use up its stroke between samples of every
-/// cycle; none if the task has such. So more acceleration than that is not slower: the same motion is planned.
-std::optional<RedundancyTask> resolved(const RedundancyTask& task, const RedundancyOptions& options) {
-  if (options.thinning != 1) return std::nullopt;  // the document's own distance of samples
+/// cycle. So more acceleration than that is not slower: the same motion is planned.
+RedundancyTask resolved(RedundancyTask task, const RedundancyOptions& options) {
+  if (options.thinning != 1) return task;  // the document's own distance of samples
   const double cycle = task.machine.cycle_time;
-  std::optional<RedundancyTask> other;
-  for (std::size_t k = 0; k < task.machine.axes.size(); ++k) {
-    const CoarseFineAxis& axis = task.machine.axes[k];
+  for (CoarseFineAxis& axis : task.machine.axes) {
     const double most = 4 * (1 - resolved_share) * axis.stroke / (cycle * cycle);  // half of it each for fit and check
-    if (axis.fine.acceleration <= most) continue;
-    if (!other) other = task;
-    other->machine.axes[k].fine.acceleration = most;
+    axis.fine.acceleration = std::min(axis.fine.acceleration, most);
   }
-  return other;
+  return task;
 }
 
 /// Returns the task with that share of its fine accelerations.
@@ -62,22 +65,18 @@ class Planner {
         less_(std::move(less)),
         options_(options),
         constants_(constants),
-        progress_(progress),
-        to_(to),
         split_(less_, options, constants, progress, from, to) {}
 
-  /// Returns whether there is a motion.
-  bool find() {
+  /// Searches a motion. Returns the reason if there is none.
+  std::optional<NoPlan> find() {
+    if (!split_.resolves_samples()) return NoPlan::samples_apart;
     result_.fastest = split_.fastest();
     coarse_.resize(task_.machine.axes.size());
     const bool found = options_.window ? windowed() : whole();
     if (options_.window) result_.slowed = split_.slowed(), result_.passes = split_.passes();
     result_.iterations = result_.passes.size();
-    return found;
+    return found ? std::nullopt : std::optional(NoPlan::no_split);
   }
-  double duration() const { return law_.duration(); }
-  bool slower_than_alone() const { return duration() > split_.alone().duration(0, sections().size()); }
-
   RedundancyResult result() {
     result_.coarse_jerk_limited = options_.degree - options_.knot_multiplicity >= 2;
     result_.head = std::make_shared<const PathMotion>(task_.path, std::move(law_));
@@ -89,22 +88,6 @@ class Planner {
                               " more places, because windows could not be joined in motion");
     if (options_.window) result_.notes.push_back("the contour was planned in " + std::to_string(windows_) + " windows");
     return std::move(result_);
-  }
-
-  /// Returns the motion that takes the place of the method's own, which takes `own` s; 0: it found none.
-  RedundancyResult fallback(double own) const {
-    RedundancyResult other = coarse_alone();
-    std::string used = coarse_axes_alone;
-    const bool centred = std::any_of(task_.machine.axes.begin(), task_.machine.axes.end(),
-                                     [](const CoarseFineAxis& axis) { return axis.centred; });
-    if (!centred && take_quicker_joint(other, own))  // which leaves open where fine axes stand at rest
-      used = other.gave_way.empty() ? planner_name(RedundancyMethod::joint) : other.gave_way.back().used;
-    other.gave_way = {{planner_name(RedundancyMethod::iterative), own > 0 ? GivingWay::slower : GivingWay::no_motion,
-                       own, used, other.head->duration()}};
-    other.fastest = result_.fastest;
-    other.passes = result_.passes;
-    other.iterations = other.passes.size();
-    return other;
   }
 
  private:
@@ -235,41 +218,10 @@ class Planner {
     for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k].append(part.coarse[k], t, law_.duration());
   }
 
-  /// Returns whether `other` is the joint planner's motion now.
-  bool take_quicker_joint(RedundancyResult& other, double own) const {
-    try {
-      RedundancyOptions options = options_;
-      options.method = RedundancyMethod::joint;
-      options.compare = false;
-      RedundancyResult joint = plan_joint_method(task_, options, progress_, to_, to_);
-      // With limited jerk the joint planner's motion takes jumps of curvature with the fine axes.
-      if (!task_.machine.limits_jerk() && !(joint.head->duration() < other.head->duration())) return false;
-      other = std::move(joint);
-      other.notes.push_back(own > 0
-                                ? "the iterative method's split is slower; the joint planner planned the contour"
-                                : "the iterative method found no valid split; the joint planner planned the contour");
-      return true;
-    } catch (const Infeasible&) {  // the coarse axes alone, then
-      return false;
-    }
-  }
-
-  /// Plans the coarse axes alone, within their own limits, with all fine axes in the middle of their strokes.
-  RedundancyResult coarse_alone() const {
-    RedundancyResult alone;
-    alone.head = std::make_shared<const PathMotion>(task_.path, split_.alone().law(0, sections().size()));
-    alone.coarse = alone.head;
-    alone.coarse_jerk_limited = task_.machine.limits_jerk();
-    alone.notes.push_back("no quicker split was found: the coarse axes move alone, the fine ones stand still");
-    return alone;
-  }
-
   const RedundancyTask& task_;
   const RedundancyTask less_;
   const RedundancyOptions& options_;
   const IterativeOptions& constants_;
-  Progress& progress_;
-  double to_;
   AdaptiveSplit split_;
   RedundancyResult result_;
   TimeLaw law_;
@@ -279,35 +231,29 @@ class Planner {
 
 }  // namespace
 
-RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
-                                const IterativeOptions& constants, Progress& progress, double from, double to) {
+Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
+                                                  const IterativeOptions& constants, Progress& progress, double from,
+                                                  double to) {
   check(task, options);
-  const std::optional<RedundancyTask> less = resolved(task, options);
-  auto planner = std::make_unique<Planner>(task, less ? *less : task, options, constants, progress, from, to);
-  bool found = planner->find();
+  const RedundancyTask less = resolved(task, options);
+  NoPlan why_not = NoPlan::no_split;
   // Limits that fall by and by may end where others would not: a motion with less acceleration is one, too.
-  double share = 1;
-  for (int i = 0; i < most_halvings && !found; ++i) {
-    share *= 0.5;
-    auto other =
-        std::make_unique<Planner>(task, with_less(less ? *less : task, share), options, constants, progress, to, to);
-    found = other->find();
-    if (found) planner = std::move(other);
+  for (const Share& share : shares) {
+    Planner planner(task, with_less(less, share.value), options, constants, progress, from, to);
+    from = to;
+    if (const std::optional<NoPlan> none = planner.find()) {
+      why_not = *none;
+      continue;
+    }
+    RedundancyResult result = planner.result();
+    if (share.note != nullptr) result.notes.emplace_back(share.note);
+    return result;
   }
-  if (!found || less || share < 1 || planner->slower_than_alone()) {
-    RedundancyResult other = planner->fallback(found ? planner->duration() : 0);
-    if (!found || other.head->duration() < planner->duration()) return other;
-  }
-  RedundancyResult result = planner->result();
-  if (share < 1)
-    result.notes.push_back(
-        share > 0.4 ? "no motion was found with all of the fine axes' accelerations, but with half of them"
-                    : "no motion was found with all of the fine axes' accelerations, but with a quarter of them");
-  return result;
+  return why_not;
 }
 
-RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to) {
+Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
+                                                  Progress& progress, double from, double to) {
   return plan_iterative(task, options, IterativeOptions(), progress, from, to);
 }
 

@@ -6,9 +6,8 @@
 ///
 /// The contour is planned at once or in overlapping windows [Bock 4.3.4]. Windows begin where the head rests, so only
 /// the coarse axes' state is carried over. If a window has no valid split, the window before is kept up to its end, at
-/// rest, and the window begins there (the source's rescue stop). If that fails, too, the joint planner plans the
-/// contour, and if that fails the coarse axes move alone. Every contour thus gets a split that keeps all limits, by
-/// bounds between samples (split_peaks.hpp); `gave_way` of the result tells of replacements.
+/// rest, and the window begins there (the source's rescue stop). If that fails, too, half and then a quarter of the
+/// fine accelerations are tried. A split keeps all limits, by bounds between samples (split_peaks.hpp).
 ///
 /// The motion is not the fastest one, because the head never gets more than the fine axes' acceleration. Cost:
 /// O(samples) per iteration; docs/methods/coarse_fine_iterative.md lists times.
@@ -19,13 +18,15 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Plans the task with the given constants; progress runs from `from` to `to`. Throws InvalidInput if degree and knots
+/// Plans the task with the given constants; progress runs from `from` to `to`. Returns NoPlan if no split is valid
+/// before the head gets slower than the coarse axes are alone. Throws InvalidInput if degree and knots
 /// do not make the coarse motion smooth enough, if thinning leaves nothing of the stroke, and where the head's planner
 /// does; Stopped.
-RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
-                                const IterativeOptions& constants, Progress& progress, double from = 0, double to = 1);
+Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
+                                                  const IterativeOptions& constants, Progress& progress,
+                                                  double from = 0, double to = 1);
 /// Plans with the constants of the source. Throws as above.
-RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to);
+Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
+                                                  Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

@@ -1,22 +1,18 @@
 #include "core/redundant/joint/joint.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
-#include "core/base/infeasible_at.hpp"
 #include "core/redundant/coarse/coarse_task.hpp"
-#include "core/redundant/coarse/following.hpp"
 #include "core/redundant/joint/joint_planner.hpp"
 
 namespace bahnwerk {
 namespace {
 
-constexpr std::array<double, 2> less_stroke{0.7, 0.4};  // shares of the strokes for which other plans are made
-constexpr double far_above = 1.02;                      // factor of the bound from which on they are made
+constexpr double far_above = 1.02;     // factor of the bound from which on plans for less stroke are made
 constexpr double mostly_slowed = 1.5;  // factor of the head's own duration from which on its limits do not matter
 constexpr double uneven_jerk = 1.02;   // least quotient of both axes' times to reach their accelerations that matters
 
@@ -46,65 +42,56 @@ bool evened(CoarseFineMachine& machine, double share) {
   return changed;
 }
 
-/// Plans for the machine and for machines with smaller limits, and keeps the quickest plan.
+/// Plans for the machine and for machines with smaller limits or strokes, and keeps the quickest plan.
 template <std::size_t order>
-class Candidates {
+class Variants {
  public:
-  Candidates(const JointTask& task, const JointOptions& options, Progress& progress, double from, double to)
+  Variants(const JointTask& task, const JointOptions& options, Progress& progress, double from, double to)
       : task_(task), options_(options), progress_(progress), from_(from), to_(to) {}
 
-  JointResult best() {
-    if (!options_.coarse_alone) {
-      if (unresolved()) add(task_, true);
-      add(resolved(task_, options_, 1));
-      if (order == 3 && best_ && best_->quickest() < mostly_slowed * head_alone_)
-        for (const double share : {1.0, 0.5})
-          if (JointTask other = task_; worth_it() && evened(other.machine, share))
-            add(resolved(std::move(other), options_, 1));
-      const bool slowed = best_ && most_slowed_ > 0 && task_.path->size() > 1;
-      for (const double part : less_stroke)
-        if (slowed && worth_it() && options_.bound > 0 && best_->quickest() > far_above * options_.bound &&
-            within_coarse_range(*task_.path, task_.machine, part))
-          add(resolved(task_, options_, part));
-      if (slowed && within_coarse_range(*task_.path, task_.machine)) {
-        const double split = best_->quickest();
-        if (add(without_fine_axes(task_))) slower_ = split;
-      }
-    }
-    const bool gave_way = !best_;
-    if (gave_way) {
-      refuse_beyond_range();
-      best_ = planner(without_fine_axes(task_));
-      best_->find(unlimited);
-    }
+  Expected<JointResult, NoPlan> best() {
+    static constexpr Variant variants[] = {
+        // stroke, even jerk, coarse head, closed form, worth trying
+        {1, 0, false, true, [](const Variants& v) { return v.unresolved(); }},
+        {1, 0, false, false, [](const Variants&) { return true; }},
+        {1, 1, false, false, [](const Variants& v) { return v.jerk_matters(); }},
+        {1, 0.5, false, false, [](const Variants& v) { return v.jerk_matters(); }},
+        {0.7, 0, false, false, [](const Variants& v) { return v.far_above_bound(0.7); }},
+        {0.4, 0, false, false, [](const Variants& v) { return v.far_above_bound(0.4); }},
+        {1, 0, true, false, [](const Variants& v) { return v.slowed() && (order == 3 || v.fine_axes_needed()); }},
+    };
+    for (const Variant& variant : variants)
+      if (variant.worth(*this)) add(variant);
+    if (!best_) return why_not_;
     JointResult result = best_->result();
-    result.gave_way = gave_way;
-    result.slower = slower_;
     result.slowed = std::max(result.slowed, most_slowed_);
     result.fastest = std::min({result.fastest, head_alone_, result.chosen.duration});
     return result;
   }
 
  private:
-  /// Tells whether the coarse axes alone would leave their ranges.
-  void refuse_beyond_range() const {
-    std::vector<InputFault> faults;
-    for (const std::size_t k : beyond_coarse_range(*task_.path, task_.machine))
-      faults.push_back(
-          {{"machine", "coarse", task_.machine.axes[k].name, "range"},
-           "no motion was found in which this coarse axis stays within its range; widen the range, or move "
-           "the contour"});
-    if (!faults.empty())
-      throw InfeasibleAt("no motion was found in which the coarse axes stay within their ranges", std::move(faults));
-  }
-
-  std::unique_ptr<JointPlanner<order>> planner(JointTask task) const {
-    return std::make_unique<JointPlanner<order>>(std::move(task), options_, progress_, from_, to_);
-  }
+  struct Variant {
+    double stroke;     ///< used share of the strokes
+    double even_jerk;  ///< share with which evened() lowers accelerations; 0: they are the task's
+    bool coarse_head;  ///< whether the head keeps the limits of the coarse axes alone
+    bool closed;       ///< closed form of a lone move alone, which needs no cells
+    bool (*worth)(const Variants&);
+  };
 
   /// Tells whether the work so far leaves budget for another plan.
-  bool worth_it() const { return work_ <= joint_work(head_alone_, order == 3); }
-
+  bool within_budget() const { return work_ <= joint_work(head_alone_, order == 3); }
+  /// Tells whether no plan was found yet, or only ones whose head had to be slowed.
+  bool slowed() const { return !best_ || (most_slowed_ > 0 && task_.path->size() > 1); }
+  bool jerk_matters() const {
+    return order == 3 && best_ && best_->quickest() < mostly_slowed * head_alone_ && within_budget();
+  }
+  bool far_above_bound(double stroke) const {
+    return slowed() && within_budget() && options_.bound > 0 &&
+           (!best_ || best_->quickest() > far_above * options_.bound) &&
+           within_coarse_range(*task_.path, task_.machine, stroke);
+  }
+  /// Tells whether the coarse axes alone would leave their ranges.
+  bool fine_axes_needed() const { return !within_coarse_range(*task_.path, task_.machine); }
   /// Tells whether some stroke is too small for cells.
   bool unresolved() const {
     return std::any_of(task_.machine.axes.begin(), task_.machine.axes.end(), [this](const CoarseFineAxis& axis) {
@@ -112,22 +99,25 @@ class Candidates {
     });
   }
 
-  /// Plans a task; `closed`: only if there is a closed form, which needs no cells. Returns whether it is the quickest.
-  bool add(JointTask task, bool closed = false) {
-    std::unique_ptr<JointPlanner<order>> other;
-    bool found = false;
-    try {
-      other = planner(std::move(task));
-      head_alone_ = std::min(head_alone_, other->head_alone());
-      found = closed ? other->find_closed() : other->find(best_ ? best_->quickest() : unlimited);
-    } catch (const Infeasible&) {
-      // Another plan may be feasible.
-    }
-    if (other) work_ += other->work();
-    if (!found || (best_ && !(other->quickest() < best_->quickest()))) return false;
+  /// Plans a variant and keeps its plan if it is the quickest one.
+  void add(const Variant& variant) {
+    JointTask task = task_;
+    if (variant.even_jerk > 0 && !evened(task.machine, variant.even_jerk)) return;
+    if (!variant.closed) task = resolved(std::move(task), options_, variant.stroke);
+    if (std::none_of(task.machine.axes.begin(), task.machine.axes.end(),
+                     [](const CoarseFineAxis& axis) { return axis.stroke > 0; }))
+      return;
+    JointOptions options = options_;
+    options.coarse_head = variant.coarse_head;
+    auto other = std::make_unique<JointPlanner<order>>(std::move(task), options, progress_, from_, to_);
+    head_alone_ = std::min(head_alone_, other->head_alone());
+    const Expected<bool, NoPlan> found =
+        variant.closed ? other->find_closed() : other->find(best_ ? best_->quickest() : unlimited);
+    work_ += other->work();
+    if (!found && !best_) why_not_ = found.reason();
+    if (!found || !*found || (best_ && !(other->quickest() < best_->quickest()))) return;
     most_slowed_ = std::max(most_slowed_, other->slowed());
     best_ = std::move(other);
-    return true;
   }
 
   const JointTask& task_;
@@ -135,10 +125,10 @@ class Candidates {
   Progress& progress_;
   double from_, to_;
   std::unique_ptr<JointPlanner<order>> best_;
+  NoPlan why_not_ = NoPlan::no_fine_axis;
   double head_alone_ = unlimited;  // s, least duration of a head under its own limits
   double work_ = 0;                // cells times Newton steps
   std::size_t most_slowed_ = 0;
-  double slower_ = 0;  // s, the split that the coarse axes alone are quicker than
 };
 
 }  // namespace
@@ -149,13 +139,14 @@ double stretch_of(double smoothness) {
   return stretches[i] + (at - static_cast<double>(i)) * (stretches[i + 1] - stretches[i]);
 }
 
-JointResult plan_joint(const JointTask& task, const JointOptions& options, Progress& progress, double from, double to) {
+Expected<JointResult, NoPlan> plan_joint(const JointTask& task, const JointOptions& options, Progress& progress,
+                                         double from, double to) {
   const bool jerk = task.machine.limits_jerk();
   for (const CoarseFineAxis& axis : task.machine.axes)
     if ((axis.coarse.jerk < unlimited) != jerk || (axis.fine.jerk < unlimited) != jerk)
       throw std::invalid_argument("the jerk is limited of all axes or of none");
-  if (jerk) return Candidates<3>(task, options, progress, from, to).best();
-  return Candidates<2>(task, options, progress, from, to).best();
+  if (jerk) return Variants<3>(task, options, progress, from, to).best();
+  return Variants<2>(task, options, progress, from, to).best();
 }
 
 }  // namespace bahnwerk

@@ -25,6 +25,7 @@
 #include "core/motion/law/path_motion.hpp"
 #include "core/redundant/coarse_fine.hpp"
 #include "core/redundant/joint/joint_task.hpp"
+#include "core/redundant/no_plan.hpp"
 
 namespace bahnwerk {
 
@@ -38,7 +39,7 @@ struct JointOptions {
   double cell = 1.0 / 24;      ///< longest cell, in units of √(stroke/coarse acceleration)
   double least_stroke = 0.02;  ///< mm; a fine axis with a shorter stroke stands still, unless a closed form exists
   int max_rounds = 60;         ///< most rounds in which limits fall
-  bool coarse_alone = false;   ///< whether all fine axes stand still
+  bool coarse_head = false;    ///< whether the head keeps the limits of the coarse axes alone
   double bound = 0;            ///< s, proven lower bound of the duration of any motion; 0: none is known
 };
 
@@ -67,24 +68,20 @@ struct JointResult {
   std::size_t rounds = 0;                 ///< rounds in which limits fell
   std::size_t slowed = 0;                 ///< segments whose feed was lowered
   std::size_t certified = 0;              ///< intervals with a certificate that the coarse axes cannot follow
-  bool gave_way = false;                  ///< whether the coarse axes move alone because no split was found
-  double slower = 0;  ///< s, what the split takes that the coarse axes alone are quicker than; 0: they are not
 };
 
 /// Returns the plan with the shortest duration found, times the factor that the options ask for.
 ///
 /// A coordinate without a fine axis, or with a stroke below `least_stroke`, is carried by the coarse axis alone
 /// (carried_motion.hpp). One straight move has a closed form (lone_move.hpp), used where the head cannot reach the
-/// duration of the summed limits. As the last resort, where no feed makes the split feasible, the coarse axes move
-/// alone, as the axes of an ordinary machine do.
+/// duration of the summed limits.
 ///
-/// A plan for smaller limits or strokes also is a plan for larger ones. Therefore a head that was slowed is compared
-/// with the coarse axes alone, and one that takes 2 % longer than `bound` with plans for 7/10 and 4/10 of the strokes;
-/// the quickest one is returned.
+/// A plan for smaller limits or strokes also is a plan for larger ones: the table of variants in joint.cpp lists the
+/// machines for which plans are made, and when. The quickest plan is returned.
 ///
-/// Throws InvalidInput as the head's planner does, Infeasible if not even the coarse axes alone have a plan, Stopped,
-/// and std::invalid_argument if only some axes have a limited jerk.
-JointResult plan_joint(const JointTask& task, const JointOptions& options, Progress& progress, double from = 0,
-                       double to = 1);
+/// Returns NoPlan if no axis has a fine one that moves, or if no variant has a plan. Throws InvalidInput as the head's
+/// planner does, Stopped, and std::invalid_argument if only some axes have a limited jerk.
+Expected<JointResult, NoPlan> plan_joint(const JointTask& task, const JointOptions& options, Progress& progress,
+                                         double from = 0, double to = 1);
 
 }  // namespace bahnwerk

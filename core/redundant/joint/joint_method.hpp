@@ -5,7 +5,7 @@
 namespace bahnwerk {
 
 /// Plans `task` with the joint planner; progress runs from `from` to `to`. Throws what plan_joint() throws.
-RedundancyResult plan_joint_method(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                   double from, double to);
+Expected<RedundancyResult, NoPlan> plan_joint_method(const RedundancyTask& task, const RedundancyOptions& options,
+                                                     Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

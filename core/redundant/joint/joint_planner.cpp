@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/redundant/chain/controllable_set.hpp"
 #include "core/redundant/coarse/following.hpp"
 #include "core/redundant/coarse/lone_move.hpp"
@@ -35,19 +34,17 @@ JointPlanner<order>::JointPlanner(JointTask task, const JointOptions& options, P
       scope_(progress, "planning", from, to),
       plan_(task_, options.corner_angle, joint_head_share<order>, progress),
       splits_(task_, options.cell, [this] { scope_.report(); }),
-      head_(plan_.motion()),
+      head_(options.coarse_head ? plan_.coarse_alone() : plan_.motion()),
       smoother_(task_, splits_, plan_, fastest_, scope_) {
   result_.fastest = head_->duration();
   work_.most = joint_work(result_.fastest, order == 3);
 }
 
 template <std::size_t order>
-bool JointPlanner<order>::find(double below) {
+Expected<bool, NoPlan> JointPlanner<order>::find(double below) {
   if (!(head_->duration() < below)) return false;
-  if (splits_.axes().empty())
-    fastest_.head = head_;
-  else if (!lone())
-    follow();
+  if (lone()) return true;
+  if (const std::optional<NoPlan> none = follow()) return *none;
   return true;
 }
 
@@ -57,7 +54,7 @@ bool JointPlanner<order>::find_closed() {
   std::optional<LoneMove> move = lone_move(*task_.path, task_.machine, task_.feeds.front());
   if (!move || !within_ranges(*move, task_.machine)) return false;
   take(*std::move(move));
-  alone_ = true;
+  closed_ = true;
   return true;
 }
 
@@ -72,13 +69,14 @@ void JointPlanner<order>::take(LoneMove move) {
 template <std::size_t order>
 JointResult JointPlanner<order>::result() {
   const double chosen = options_.stretch >= 1 ? options_.stretch : stretch_of(options_.smoothness);
+  const bool with_reserve = !closed_ && !options_.coarse_head;
   if (options_.compare)
     for (const double stretch : stretches) {
-      const JointSplit<order> split = smoother_.smoothest(stretch, !alone_);
+      const JointSplit<order> split = smoother_.smoothest(stretch, with_reserve);
       result_.trades.push_back(splits_.trade(stretch, split));
       if (stretch == chosen) keep(stretch, split);
     }
-  if (!result_.coarse) keep(chosen, smoother_.smoothest(chosen, !alone_));
+  if (!result_.coarse) keep(chosen, smoother_.smoothest(chosen, with_reserve));
   result_.cells = fastest_.cells.size();
   result_.iterations = splits_.iterations();
   return std::move(result_);
@@ -109,72 +107,61 @@ bool JointPlanner<order>::lone() {
 
 /// Finds the quickest head that the coarse axes are found to be able to follow.
 template <std::size_t order>
-void JointPlanner<order>::follow() {
+std::optional<NoPlan> JointPlanner<order>::follow() {
   std::vector<WindowedSolution<order>> solutions;
   HeadSlowingCounts counts;
   for (int attempt = 0;; ++attempt) {
     cells_ = head_cells(*head_, splits_.cells(), scope_);
-    std::vector<SegmentRange> too_fast = attempt == 0 ? conflicting() : std::vector<SegmentRange>();
-    if (too_fast.empty()) {
-      solutions = solved();
+    std::optional<std::vector<SegmentRange>> too_fast = std::vector<SegmentRange>();
+    if (attempt == 0) too_fast = conflicting();
+    if (!too_fast) return NoPlan::head_exceeds_limits;
+    if (too_fast->empty()) {
+      std::optional<std::vector<WindowedSolution<order>>> found = solved();
+      if (!found) return NoPlan::head_exceeds_limits;
+      solutions = *std::move(found);
       too_fast = exceeding(solutions);
     }
-    if (too_fast.empty()) break;
-    if (!alone_) {
-      slow(too_fast, attempt, counts);
-    } else if (order == 3 && !stops_) {
-      stops_ = true;
-      head_ = plan_.coarse_alone(true);
-    } else {
-      throw Infeasible("the coarse axes cannot follow, however slowly the tool moves");
-    }
+    if (too_fast->empty()) break;
+    if (options_.coarse_head) return NoPlan::cannot_follow;
+    if (attempt == most_attempts || work_.spent()) return NoPlan::effort;
+    if (const std::optional<NoPlan> none = slow(*too_fast, counts)) return none;
   }
   result_.rounds = counts.rounds;
   result_.certified = counts.certified;
   result_.slowed = plan_.slowed();
   fastest_ = {head_, std::move(cells_), 1, std::move(solutions), {}};
+  return std::nullopt;
 }
 
 /// Returns solutions without excess, if there are any.
 template <std::size_t order>
 std::optional<std::vector<WindowedSolution<order>>> JointPlanner<order>::followed() {
-  try {
-    std::vector<WindowedSolution<order>> solutions = solved();
-    if (exceeding(solutions).empty()) return solutions;
-  } catch (const Infeasible&) {
-    // The head exceeds the summed limits in a cell.
-  }
-  return std::nullopt;
+  std::optional<std::vector<WindowedSolution<order>>> solutions = solved();
+  if (solutions && !exceeding(*solutions).empty()) return std::nullopt;
+  return solutions;
 }
 
 template <std::size_t order>
-std::vector<WindowedSolution<order>> JointPlanner<order>::solved() {
-  std::vector<WindowedSolution<order>> solutions = splits_.solve(cells_, 1);
-  for (const WindowedSolution<order>& s : solutions)
+std::optional<std::vector<WindowedSolution<order>>> JointPlanner<order>::solved() {
+  std::optional<std::vector<WindowedSolution<order>>> solutions = splits_.solve(cells_, 1);
+  if (!solutions) return std::nullopt;
+  for (const WindowedSolution<order>& s : *solutions)
     work_.done += static_cast<double>(s.iterations * std::min(cells_.size(), window_cells));
   return solutions;
 }
 
-/// Slows the head on the given ranges; it never gets slower than the coarse axes alone, unless those have to rest at
-/// jumps of curvature.
+/// Slows the head on the given ranges. Returns the reason if no slower head was found that can be followed there.
 template <std::size_t order>
-void JointPlanner<order>::slow(const std::vector<SegmentRange>& too_fast, int attempt, HeadSlowingCounts& counts) {
+std::optional<NoPlan> JointPlanner<order>::slow(const std::vector<SegmentRange>& too_fast, HeadSlowingCounts& counts) {
   double around = 0;
   for (const std::size_t k : splits_.axes()) around = std::max(around, splits_.ahead(k));
   const HeadCellOptions cells = splits_.cells();
   HeadSlowing<order> slowing(plan_, task_.machine, cells, around, options_.max_rounds, work_, scope_);
-  bool found = attempt < most_attempts && !work_.spent();
-  try {
-    for (const SegmentRange& stretch : too_fast)
-      if (found) slowing.run(stretch, counts);
-  } catch (const Infeasible&) {
-    found = false;
-  }
-  if (found) head_ = plan_.motion();
-  const auto alone = plan_.coarse_alone();
-  alone_ = !found || alone->duration() < head_->duration();
-  if (alone_) head_ = alone;
+  for (const SegmentRange& range : too_fast)
+    if (const Expected<bool, NoPlan> slower = slowing.run(range, counts); !slower) return slower.reason();
+  head_ = plan_.motion();
   splits_.double_look_ahead();  // the look-ahead may have been too short
+  return std::nullopt;
 }
 
 /// Returns the sections around the nodes that exceed their boxes.
@@ -187,11 +174,14 @@ std::vector<SegmentRange> JointPlanner<order>::exceeding(const std::vector<Windo
 
 /// Returns the sections around conflicts found by reachable sets, which is much quicker than solving the chains.
 template <std::size_t order>
-std::vector<SegmentRange> JointPlanner<order>::conflicting() {
+std::optional<std::vector<SegmentRange>> JointPlanner<order>::conflicting() {
   std::vector<Nodes> nodes;
   if constexpr (order == 2)
-    for (const std::size_t k : splits_.axes())
-      nodes.push_back(conflicts(following<2>(cells_, k, splits_.axis(k)), splits_.chain().tick));
+    for (const std::size_t k : splits_.axes()) {
+      const std::optional<Chain<2>> chain = following<2>(cells_, k, splits_.axis(k));
+      if (!chain) return std::nullopt;
+      nodes.push_back(conflicts(*chain, splits_.chain().tick));
+    }
   return sections_around(nodes);
 }
 

@@ -12,19 +12,20 @@
 #include "core/redundant/head/head_slowing.hpp"
 #include "core/redundant/joint/joint_smoother.hpp"
 #include "core/redundant/joint/joint_split.hpp"
+#include "core/redundant/no_plan.hpp"
 
 namespace bahnwerk {
 
 template <std::size_t order>
 class JointPlanner {
  public:
-  /// Plans the head under the summed limits; throws as its planner does. `options` and `progress` must outlive this
-  /// object; progress runs from `from` to `to`.
+  /// Plans the head under the summed limits, or under those of the coarse axes if `options.coarse_head`; throws as its
+  /// planner does. `progress` must outlive this object; it runs from `from` to `to`.
   JointPlanner(JointTask task, const JointOptions& options, Progress& progress, double from, double to);
 
-  /// Searches the quickest motion. Returns false without a search if the head under the summed limits already takes
-  /// `below` s or longer. Throws Infeasible if no head was found that the coarse axes can follow.
-  bool find(double below);
+  /// Searches the quickest motion. Returns false without a search if the head by itself already takes `below` s or
+  /// longer, and the reason if no head was found that the coarse axes can follow.
+  Expected<bool, NoPlan> find(double below);
   /// Takes the closed form of a single straight move, which needs no cells. Returns false if the path has none.
   bool find_closed();
   /// Returns the duration of the motion found, s.
@@ -32,7 +33,7 @@ class JointPlanner {
   std::size_t slowed() const { return result_.slowed; }
   /// Returns the work of all solutions so far, in cells times Newton steps.
   double work() const { return work_.done; }
-  /// Returns the duration of the head under the summed limits, s.
+  /// Returns the duration of the head by itself, s.
   double head_alone() const { return result_.fastest; }
   /// Returns the motion for the requested duration and the table of trade-offs.
   JointResult result();
@@ -42,18 +43,18 @@ class JointPlanner {
 
   bool lone();
   void take(LoneMove move);
-  void follow();
+  std::optional<NoPlan> follow();
   std::optional<std::vector<WindowedSolution<order>>> followed();
-  std::vector<WindowedSolution<order>> solved();
-  void slow(const std::vector<SegmentRange>& too_fast, int attempt, HeadSlowingCounts& counts);
+  std::optional<std::vector<WindowedSolution<order>>> solved();
+  std::optional<NoPlan> slow(const std::vector<SegmentRange>& too_fast, HeadSlowingCounts& counts);
   std::vector<SegmentRange> exceeding(const std::vector<WindowedSolution<order>>& solutions) const;
-  std::vector<SegmentRange> conflicting();
+  std::optional<std::vector<SegmentRange>> conflicting();
   std::vector<SegmentRange> sections_around(const std::vector<Nodes>& nodes) const;
   std::size_t segment_at(double t) const;
   void keep(double stretch, const JointSplit<order>& split);
 
   JointTask task_;
-  const JointOptions& options_;
+  JointOptions options_;
   ProgressScope scope_;
   HeadPlan<order> plan_;
   JointSplits<order> splits_;
@@ -61,9 +62,8 @@ class JointPlanner {
   HeadCells cells_;
   JointSplit<order> fastest_;
   JointSmoother<order> smoother_;
-  bool alone_ = false;  // whether the head keeps the limits of the coarse axes alone
+  bool closed_ = false;  // whether the motion is a closed form without cells
   SlowingWork work_;
-  bool stops_ = false;  // whether it also rests at jumps of curvature
   JointResult result_;
 };
 

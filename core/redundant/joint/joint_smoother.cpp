@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/redundant/coarse/following.hpp"
 #include "core/redundant/head/slowed_by_energy.hpp"
 
@@ -22,17 +21,17 @@ template <std::size_t order>
 JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool with_reserve) {
   if (stretch == 1) return fastest_;
   JointSplit<order> slowed = slowed_evenly(stretch);
-  if (order != 2 || !with_reserve || splits_.axes().empty()) return slowed;
+  if (order != 2 || !with_reserve) return slowed;
   const double duration = fastest_.head->duration() * stretch;
   std::vector<std::pair<JointSplit<order>, HeadCellOptions>> found{{std::move(slowed), splits_.cells()}};
   double least = splits_.energy(found.front().first);
   const double longest = std::max(duration, fastest_.head->duration() * stretches[std::size(stretches) - 1]);
   for (const SmoothHeadCandidate& head : smooth_heads_.within(duration, longest)) {
     const HeadCellOptions cells = splits_.cells(head.reserve);
-    JointSplit<order> split = split_of(head.head, duration, cells);
-    if (!split.valid()) continue;
-    least = std::min(least, splits_.energy(split));
-    found.emplace_back(std::move(split), cells);
+    std::optional<JointSplit<order>> split = split_of(head.head, duration, cells);
+    if (!split) continue;
+    least = std::min(least, splits_.energy(*split));
+    found.emplace_back(*std::move(split), cells);
   }
   std::optional<JointSplit<order>> best;
   for (auto& [split, cells] : found) {
@@ -48,13 +47,10 @@ JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool with_rese
 template <std::size_t order>
 JointSplit<order> JointSmoother<order>::slowed_evenly(double stretch) {
   JointSplit<order> split{fastest_.head, fastest_.cells, stretch, {}, {}};
-  if (splits_.axes().empty()) return split;
   if (fastest_.cells.size() > 0)  // there are none for strokes that are too small for them
-    try {
-      split.solutions = splits_.solve(fastest_.cells, stretch);
+    if (std::optional<std::vector<WindowedSolution<order>>> solutions = splits_.solve(fastest_.cells, stretch)) {
+      split.solutions = *std::move(solutions);
       if (split.valid()) return split;
-    } catch (const Infeasible&) {
-      // The motion found is slowed unchanged.
     }
   split.solutions = fastest_.solutions;
   split.closed = fastest_.closed;
@@ -63,12 +59,15 @@ JointSplit<order> JointSmoother<order>::slowed_evenly(double stretch) {
 }
 
 template <std::size_t order>
-JointSplit<order> JointSmoother<order>::split_of(std::shared_ptr<const PathMotion> head, double duration,
-                                                 const HeadCellOptions& options) {
+std::optional<JointSplit<order>> JointSmoother<order>::split_of(std::shared_ptr<const PathMotion> head, double duration,
+                                                                const HeadCellOptions& options) {
   JointSplit<order> split{std::move(head), {}, 1, {}, {}};
   split.cells = head_cells(*split.head, options, scope_);
   split.stretch = std::max(duration / split.head->duration(), 1.0);
-  split.solutions = splits_.solve(split.cells, split.stretch);
+  std::optional<std::vector<WindowedSolution<order>>> solutions = splits_.solve(split.cells, split.stretch);
+  if (!solutions) return std::nullopt;
+  split.solutions = *std::move(solutions);
+  if (!split.valid()) return std::nullopt;
   return split;
 }
 
@@ -90,9 +89,9 @@ JointSplit<order> JointSmoother<order>::spread(JointSplit<order> even, double du
   if (slowed.energy > worth_spreading) return even;
   TimeLaw slow = law;
   slow.slow_sections(std::move(slowed.slowings));
-  JointSplit<order> uneven =
+  std::optional<JointSplit<order>> uneven =
       split_of(std::make_shared<const PathMotion>(task_.path, std::move(slow)), duration, options);
-  return uneven.valid() && splits_.energy(uneven) < splits_.energy(even) ? uneven : even;
+  return uneven && splits_.energy(*uneven) < splits_.energy(even) ? *std::move(uneven) : even;
 }
 
 template class JointSmoother<2>;

@@ -2,6 +2,9 @@
 /// Step 4 of the joint planner (joint.hpp): the coarse motion with the least energy ∫a² for a given duration.
 /// Candidates are the quickest motion slowed down and heads that need less coarse acceleration, both slowed evenly or
 /// mostly where the coarse axes need most energy (slowed_by_energy.hpp).
+#include <memory>
+#include <optional>
+
 #include "core/base/progress_scope.hpp"
 #include "core/redundant/head/smooth_head_candidates.hpp"
 #include "core/redundant/joint/joint_split.hpp"
@@ -23,7 +26,9 @@ class JointSmoother {
 
  private:
   JointSplit<order> slowed_evenly(double stretch);
-  JointSplit<order> split_of(std::shared_ptr<const PathMotion> head, double duration, const HeadCellOptions& options);
+  /// Returns the valid split of `head`, slowed to `duration`; none if there is no such.
+  std::optional<JointSplit<order>> split_of(std::shared_ptr<const PathMotion> head, double duration,
+                                            const HeadCellOptions& options);
   JointSplit<order> spread(JointSplit<order> even, double duration, const HeadCellOptions& options);
 
   const JointTask& task_;

@@ -80,13 +80,15 @@ double JointSplits<order>::ahead(std::size_t k) const {
 }
 
 template <std::size_t order>
-std::vector<WindowedSolution<order>> JointSplits<order>::solve(const HeadCells& cells, double stretch) {
+std::optional<std::vector<WindowedSolution<order>>> JointSplits<order>::solve(const HeadCells& cells, double stretch) {
   std::vector<WindowedSolution<order>> solutions;
   for (const std::size_t k : axes_) {
     ChainWindowOptions windows;
     windows.ahead = ahead(k) / chain_units(axis(k)).time;
     windows.followed = followed;
-    solutions.push_back(solve_in_windows(following<order>(cells, k, axis(k), stretch), chain_options_, windows));
+    const std::optional<Chain<order>> chain = following<order>(cells, k, axis(k), stretch);
+    if (!chain) return std::nullopt;
+    solutions.push_back(solve_in_windows(*chain, chain_options_, windows));
     iterations_ += solutions.back().iterations;
   }
   return solutions;
@@ -102,7 +104,6 @@ template <std::size_t order>
 std::shared_ptr<const Motion> JointSplits<order>::coarse_of(const JointSplit<order>& split,
                                                             std::shared_ptr<const PathMotion> head) const {
   const std::size_t all = task_.machine.axes.size();
-  if (axes_.empty()) return std::make_shared<const CarriedMotion>(head, nullptr, std::vector<bool>(all, true));
   std::vector<SplineMotion::Piece> pieces = split.closed.empty() ? pieces_of(split, head->duration()) : split.closed;
   if (!split.closed.empty() && split.slowed > 1) {
     const std::vector<LawPiece>::size_type n = head->law().pieces().size();

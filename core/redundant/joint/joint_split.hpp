@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/motion/axes/motion.hpp"
@@ -58,8 +59,8 @@ class JointSplits {
   /// Doubles the look-ahead.
   void double_look_ahead() { ahead_ *= 2; }
   /// Solves the chain of each axis that has a fine one, for the head slowed by `stretch`; one result per entry of
-  /// axes().
-  std::vector<WindowedSolution<order>> solve(const HeadCells& cells, double stretch);
+  /// axes(). None if the head exceeds the sum of the limits in a cell.
+  std::optional<std::vector<WindowedSolution<order>>> solve(const HeadCells& cells, double stretch);
 
   /// Returns the split's head, slowed by its factor.
   std::shared_ptr<const PathMotion> head_of(const JointSplit<order>& split) const;

@@ -5,8 +5,8 @@
 
 namespace bahnwerk {
 
-RedundancyResult plan_filter(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                             double from, double to) {
+Expected<RedundancyResult, NoPlan> plan_filter(const RedundancyTask& task, const RedundancyOptions& options,
+                                               Progress& progress, double from, double to) {
   const std::size_t taps = options.taps;
   FilterSearch search;
   // The rests are two samples longer than the group delay, because the spline is at rest where three control points are

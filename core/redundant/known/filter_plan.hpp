@@ -8,7 +8,7 @@ namespace bahnwerk {
 
 /// Plans with the options' `taps` and `cutoff`; progress runs from `from` to `to`. Cost: 5 to 30 plans of the head.
 /// Throws as search_reference() does.
-RedundancyResult plan_filter(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                             double from, double to);
+Expected<RedundancyResult, NoPlan> plan_filter(const RedundancyTask& task, const RedundancyOptions& options,
+                                               Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

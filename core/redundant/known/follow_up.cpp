@@ -108,8 +108,8 @@ AxisJet FollowUp::at(std::size_t segment, double s, const AxisJet& tool) const {
   return q;
 }
 
-RedundancyResult plan_follow_up(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to) {
+Expected<RedundancyResult, NoPlan> plan_follow_up(const RedundancyTask& task, const RedundancyOptions& options,
+                                                  Progress& progress, double from, double to) {
   const auto split = std::make_shared<const FollowUp>(*task.path, *task.contour, task.machine, progress);
   RedundancyTask stops = task;
   std::size_t fine = 0, coarse = 0;
@@ -121,9 +121,10 @@ RedundancyResult plan_follow_up(const RedundancyTask& task, const RedundancyOpti
     for (std::size_t i = run.first + 1; i < run.last; ++i)
       if (stops_at(task.path->tool(), i, smallest_step)) stops.rests[i] = true;
   }
-  RedundancyResult result = plan_split(stops, split, unlimited, options, progress, from, to);
-  result.notes.push_back("Of " + std::to_string(fine + coarse) + " runs of cuts the fine axes cut " +
-                         std::to_string(fine) + " alone, the coarse axes " + std::to_string(coarse) + ".");
+  Expected<RedundancyResult, NoPlan> result = plan_split(stops, split, unlimited, options, progress, from, to);
+  if (!result) return result;
+  result->notes.push_back("Of " + std::to_string(fine + coarse) + " runs of cuts the fine axes cut " +
+                          std::to_string(fine) + " alone, the coarse axes " + std::to_string(coarse) + ".");
   return result;
 }
 

@@ -38,7 +38,7 @@ class FollowUp final : public CoarsePath {
 };
 
 /// Plans with rests at all borders between runs; progress runs from `from` to `to`. Throws as plan_split() does.
-RedundancyResult plan_follow_up(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to);
+Expected<RedundancyResult, NoPlan> plan_follow_up(const RedundancyTask& task, const RedundancyOptions& options,
+                                                  Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

@@ -130,8 +130,8 @@ std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const Coar
                                              ends_of(machine));
 }
 
-RedundancyResult plan_geometric(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to) {
+Expected<RedundancyResult, NoPlan> plan_geometric(const RedundancyTask& task, const RedundancyOptions& options,
+                                                  Progress& progress, double from, double to) {
   const AxisPath& path = *task.path;
   std::optional<RedundancyResult> best;
   int worse = 0;
@@ -139,17 +139,14 @@ RedundancyResult plan_geometric(const RedundancyTask& task, const RedundancyOpti
     const double cells = std::fmin(cells_per_pitch, most_cells * pitch_of(path, step) / path.length());
     if (cells < least_cells_per_pitch) break;
     const auto curve = std::make_shared<const CoarseCurve>(path, pitch_of(path, step), ends_of(task.machine));
-    try {
-      RedundancyResult found = plan_split(task, curve, curve->pitch() / cells, options, progress, from, to);
-      worse = best && !(found.head->duration() < best->head->duration()) ? worse + 1 : 0;
-      if (worse == 0) best = std::move(found);
-    } catch (const Infeasible&) {
-      ++worse;
-    }
+    Expected<RedundancyResult, NoPlan> found =
+        plan_split(task, curve, curve->pitch() / cells, options, progress, from, to);
+    worse = !found || (best && !(found->head->duration() < best->head->duration())) ? worse + 1 : 0;
+    if (worse == 0) best = *std::move(found);
     from = to;
   }
   if (best) return *std::move(best);
-  throw Infeasible("no coarse curve within the strokes was found along which all axes hold their limits");
+  return NoPlan::no_curve;
 }
 
 }  // namespace bahnwerk

@@ -46,8 +46,8 @@ std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const Coar
                                                 Progress& progress);
 
 /// Plans head and coarse axes with the best curve; progress runs from `from` to `to`. Usually two plans of all axes are
-/// made. Throws Infeasible where no curve is found; along paths of more than 5 000 pitches none is searched.
-RedundancyResult plan_geometric(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to);
+/// made. Returns no_curve where none is found; along paths of more than 5 000 pitches none is searched.
+Expected<RedundancyResult, NoPlan> plan_geometric(const RedundancyTask& task, const RedundancyOptions& options,
+                                                  Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

@@ -70,8 +70,8 @@ Prefilter prefilter(double coarse_lag, double fine_lag, double cycle_time) {
   return {{1, coarse_lag - fine_lag}, {1, coarse_lag}, {1 - gain, gain - decay}, -decay};
 }
 
-RedundancyResult plan_lag_compensation(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                       double from, double to) {
+Expected<RedundancyResult, NoPlan> plan_lag_compensation(const RedundancyTask& task, const RedundancyOptions& options,
+                                                         Progress& progress, double from, double to) {
   const double cycle = task.machine.cycle_time, lag = options.coarse_lag;
   double stroke = 0;
   for (const CoarseFineAxis& axis : task.machine.axes) stroke = std::fmax(stroke, axis.stroke);
@@ -83,9 +83,11 @@ RedundancyResult plan_lag_compensation(const RedundancyTask& task, const Redunda
     std::fill(y.end() - 3, y.end(), x.back());
     return y;
   };
-  RedundancyResult result = search_reference(task, options, search, progress, from, to);
-  const auto cells = static_cast<std::size_t>(std::ceil(result.head->duration() / cycle));
-  for (const bool prefilter : {false, true}) result.lags.push_back(simulated(*result.head, options, cells, prefilter));
+  Expected<RedundancyResult, NoPlan> result = search_reference(task, options, search, progress, from, to);
+  if (!result) return result;
+  const auto cells = static_cast<std::size_t>(std::ceil(result->head->duration() / cycle));
+  for (const bool prefilter : {false, true})
+    result->lags.push_back(simulated(*result->head, options, cells, prefilter));
   return result;
 }
 

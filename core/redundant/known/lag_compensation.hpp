@@ -33,7 +33,7 @@ Prefilter prefilter(double coarse_lag, double fine_lag, double cycle_time);
 
 /// Plans with the options' lags and simulates the drives; progress runs from `from` to `to`. Throws as
 /// search_reference() does.
-RedundancyResult plan_lag_compensation(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                       double from, double to);
+Expected<RedundancyResult, NoPlan> plan_lag_compensation(const RedundancyTask& task, const RedundancyOptions& options,
+                                                         Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

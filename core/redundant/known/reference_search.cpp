@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/law/dwell.hpp"
@@ -27,8 +26,9 @@ double fallen(double share, double use) {
 
 }  // namespace
 
-RedundancyResult search_reference(const RedundancyTask& task, const RedundancyOptions& options,
-                                  const FilterSearch& search, Progress& progress, double from, double to) {
+Expected<RedundancyResult, NoPlan> search_reference(const RedundancyTask& task, const RedundancyOptions& options,
+                                                    const FilterSearch& search, Progress& progress, double from,
+                                                    double to) {
   const std::size_t axes = task.machine.axes.size();
   RedundancyTask stops = task;
   stops.rests.front() = stops.rests.back() = true;
@@ -68,8 +68,7 @@ RedundancyResult search_reference(const RedundancyTask& task, const RedundancyOp
     velocity = fallen(velocity, std::max({use.coarse_velocity, use.fine_velocity, use.offset}));
     acceleration = fallen(acceleration, std::max({use.coarse_acceleration, use.fine_acceleration, use.offset}));
   }
-  throw Infeasible(
-      "no limits of the reference motion were found with which the filtered motion holds those of the axes");
+  return NoPlan::no_reference;
 }
 
 }  // namespace bahnwerk

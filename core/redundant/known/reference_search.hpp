@@ -23,8 +23,9 @@ struct FilterSearch {
   std::function<std::vector<double>(const std::vector<double>& x, double step)> filter;
 };
 
-/// Returns the first valid split. Throws what the head's planner throws, and Infeasible after 200 passes.
-RedundancyResult search_reference(const RedundancyTask& task, const RedundancyOptions& options,
-                                  const FilterSearch& search, Progress& progress, double from, double to);
+/// Returns the first valid split; no_reference after 200 passes. Throws what the head's planner throws.
+Expected<RedundancyResult, NoPlan> search_reference(const RedundancyTask& task, const RedundancyOptions& options,
+                                                    const FilterSearch& search, Progress& progress, double from,
+                                                    double to);
 
 }  // namespace bahnwerk

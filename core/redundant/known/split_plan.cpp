@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/axes/hermite_motion.hpp"
@@ -20,9 +19,10 @@ constexpr double longest_piece = 0.5e-3;  // s, longest piece of the coarse moti
 
 }  // namespace
 
-RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<const CoarsePath>& coarse,
-                            double longest_cell, const RedundancyOptions& options, Progress& progress, double from,
-                            double to) {
+Expected<RedundancyResult, NoPlan> plan_split(const RedundancyTask& task,
+                                              const std::shared_ptr<const CoarsePath>& coarse, double longest_cell,
+                                              const RedundancyOptions& options, Progress& progress, double from,
+                                              double to) {
   const auto axes = std::make_shared<const SplitPath>(task.path, coarse);
   AccelerationLimitedOptions law_options;
   law_options.corner_angle = options.corner_angle;
@@ -53,7 +53,7 @@ RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<co
     if (use.most() <= 1 + exceeded) return result;
     margin = std::fmax(10 * margin, 1.2 * (use.most() - 1));
   }
-  throw Infeasible("the axes exceed their limits between the places that the planner looks at");
+  return NoPlan::between_samples;
 }
 
 }  // namespace bahnwerk

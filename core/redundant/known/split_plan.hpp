@@ -11,8 +11,9 @@ namespace bahnwerk {
 /// `coarse` must keep the fine axes within their strokes. Where it is not linear, the planner's cells are at most
 /// `longest_cell` mm long. Cost: the acceleration-limited planner with twice the axes. Throws what that planner throws,
 /// and Infeasible if limits are exceeded between its nodes even with 10 % lower limits.
-RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<const CoarsePath>& coarse,
-                            double longest_cell, const RedundancyOptions& options, Progress& progress, double from,
-                            double to);
+Expected<RedundancyResult, NoPlan> plan_split(const RedundancyTask& task,
+                                              const std::shared_ptr<const CoarsePath>& coarse, double longest_cell,
+                                              const RedundancyOptions& options, Progress& progress, double from,
+                                              double to);
 
 }  // namespace bahnwerk

@@ -2,6 +2,9 @@
 /// The machines of [Bock Table 2.1], and contours for them.
 #include <cmath>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "core/contour/builder.hpp"
 #include "core/contour/contour.hpp"
@@ -10,6 +13,13 @@
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk::test {
+
+/// Returns the plan; a test whose planner has none ends.
+template <typename Plan>
+Plan found(Expected<Plan, NoPlan> plan) {
+  if (!plan) throw std::logic_error("no plan, reason " + std::to_string(static_cast<int>(plan.reason())));
+  return *std::move(plan);
+}
 
 inline CoarseFineMachine md1() {
   return {{{"x", {1600, 8000}, {2500, 60000}, 45}, {"y", {1600, 8000}, {2500, 60000}, 45}}, 0.001};

@@ -17,7 +17,7 @@ namespace bahnwerk::test {
 
 inline JointResult plan(const JointTask& task, const JointOptions& options = {}) {
   SilentProgress progress;
-  return plan_joint(task, options, progress);
+  return found(plan_joint(task, options, progress));
 }
 
 /// Peaks between samples of every axis, found by the sweep that knows nothing of the planner; what the coarse motion

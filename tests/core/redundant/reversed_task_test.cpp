@@ -37,7 +37,8 @@ TEST(ReversedTask, ItsPlanIsOneOfTheTaskBackwardsInTime) {
   for (const RedundancyMethod method :
        {RedundancyMethod::joint, RedundancyMethod::iterative, RedundancyMethod::follow_up, RedundancyMethod::filter}) {
     SCOPED_TRACE(name_of<RedundancyMethod>(method, redundancy_methods));
-    const RedundancyResult other = redundancy_row(method).plan(back, {}, progress, 0, 1), plan = reversed(other, task);
+    const RedundancyResult other = test::found(redundancy_row(method).plan(back, {}, progress, 0, 1)),
+                           plan = reversed(other, task);
     EXPECT_NEAR(plan.head->duration(), other.head->duration(), 1e-13);
     const test::SplitExcess e = test::split_excess(task, plan);
     EXPECT_LE(e.limits, 1e-4);

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "core/base/progress.hpp"
-#include "core/redundant/methods/method_table.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
-#include "tests/core/redundant/frames.hpp"
 #include "tests/core/redundant/split_excess.hpp"
 
 namespace bahnwerk {
@@ -21,29 +19,28 @@ TEST(CoarseAlone, AStraightMoveIsThatOfTheCoarseAxis) {
   EXPECT_LE(test::split_excess(task, r).limits, 0);
 }
 
-/// A filter whose reference has to slow down for one long move is slower than the gantry by itself.
-TEST(CoarseAlone, ASlowerMotionOfAMethodGivesWayToIt) {
-  SilentProgress progress;
-  const RedundancyTask task = test::redundancy_task(test::framed(2, {}), test::md2());
-  RedundancyOptions options;
-  for (const auto& method : redundancy_methods) {
-    SCOPED_TRACE(method.name);
-    options.method = method.value;
-    const RedundancyResult own = redundancy_row(method.value).plan(task, options, progress, 0, 1),
-                           alone = plan_coarse_alone(task, options, progress, 0),
-                           r = plan_redundant(task, options, progress);
-    EXPECT_LE(r.head->duration(), alone.head->duration() * (1 + 1e-9));
-    const bool slower = own.head->duration() > alone.head->duration() * (1 + 1e-9);
-    EXPECT_EQ(r.gave_way.size(), own.gave_way.size() + slower);
-    EXPECT_EQ(slower, method.value == RedundancyMethod::filter || method.value == RedundancyMethod::lag_compensation);
-    EXPECT_LE(test::split_excess(task, r).limits, 1e-4);
-    if (!slower) continue;
-    const GaveWay& row = r.gave_way.back();
-    EXPECT_EQ(row.planner, method.name);
-    EXPECT_EQ(row.reason, GivingWay::slower);
-    EXPECT_EQ(row.duration, own.head->duration());
-    EXPECT_EQ(row.used, coarse_axes_alone);
-    EXPECT_EQ(row.used_duration, r.head->duration());
+/// At 400 times, with limited jerk and without.
+TEST(CoarseAlone, TheCoarseAxesDoWhatTheHeadDoesWithinTheirLimits) {
+  for (const double per_second : {0.0, 150.0}) {
+    CoarseFineMachine machine = test::md1();
+    if (per_second > 0) machine = test::with_jerk(machine, per_second);
+    const RedundancyTask task = test::redundancy_task(test::slot(60, 8, 200), machine);
+    SilentProgress progress;
+    const RedundancyResult r = plan_coarse_alone(task, {}, progress, 0);
+    EXPECT_EQ(r.coarse_jerk_limited, per_second > 0);
+    ASSERT_DOUBLE_EQ(r.head->duration(), r.coarse->duration());
+    for (int i = 0; i <= 400; ++i) {
+      const double t = r.head->duration() * i / 400;
+      const MotionState x = r.head->evaluate(t), c = r.coarse->evaluate(t);
+      for (std::size_t k = 0; k < machine.axes.size(); ++k) {
+        const Limits& coarse = machine.axes[k].coarse;
+        ASSERT_NEAR(x.position[k], c.position[k], 1e-12);
+        ASSERT_NEAR(x.velocity[k], c.velocity[k], 1e-9);
+        EXPECT_LE(std::abs(c.velocity[k]), coarse.velocity * (1 + 1e-9));
+        EXPECT_LE(std::abs(c.acceleration[k]), coarse.acceleration * (1 + 1e-9));
+        EXPECT_LE(std::abs(c.jerk[k]), coarse.jerk * (1 + 1e-6));
+      }
+    }
   }
 }
 

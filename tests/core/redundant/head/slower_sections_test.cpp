@@ -40,7 +40,7 @@ TEST(SlowerSections, FeedsFallUntilTheCoarseAxisCanFollow) {
       o.jerk_range.push_back(unlimited);
     }
     const HeadCells cells = head_cells(head, o, silent_scope());
-    const Chain<2> chain = following<2>(cells, 0, axis);
+    const Chain<2> chain = following<2>(cells, 0, axis).value();
     const ChainSolution<2> s = solve(chain, {});
     if (s.excess <= 1e-7) {
       ASSERT_GT(round, 1);

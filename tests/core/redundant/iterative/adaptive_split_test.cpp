@@ -24,7 +24,7 @@ TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
     SCOPED_TRACE(i);
     const RedundancyTask task = test::redundancy_task(test::random_contour(random, 100), test::md2());
     const RedundancyResult slowed = plan_by_iterations(task, {}),
-                           exact = plan_iterative(task, {}, stubborn, progress, 0, 1);
+                           exact = test::found(plan_iterative(task, {}, stubborn, progress, 0, 1));
     expect_valid_split(task, slowed);
     ASSERT_LE(slowed.iterations, exact.iterations);
     if (slowed.iterations == exact.iterations) continue;
@@ -58,9 +58,8 @@ TEST(Iterative, KeptKnotsEndShorterThanKnotsAnew) {
     const RedundancyTask task = test::redundancy_task(test::random_contour(random, 400), test::md2());
     const RedundancyResult r = plan_by_iterations(task, o);
     expect_valid_split(task, r);
-    EXPECT_EQ(r.gave_way.size(), 0u);
     EXPECT_GT(r.iterations, 3u);
-    const RedundancyResult other = plan_iterative(task, o, anew, progress, 0, 1);
+    const RedundancyResult other = test::found(plan_iterative(task, o, anew, progress, 0, 1));
     EXPECT_LT(r.head->duration(), 0.997 * other.head->duration());
   }
 }
@@ -80,7 +79,8 @@ TEST(Iterative, OnlyLeastSquaresAloneKeepsKnots) {
         {CoarseApproximation::chebyshev, CoarseSmoothing::none}}) {
     o.approximation = approximation;
     o.smoothing = smoothing;
-    const RedundancyResult a = plan_by_iterations(task, o), b = plan_iterative(task, o, other, progress, 0, 1);
+    const RedundancyResult a = plan_by_iterations(task, o),
+                           b = test::found(plan_iterative(task, o, other, progress, 0, 1));
     EXPECT_EQ(a.head->duration(), b.head->duration());
     EXPECT_EQ(a.iterations, b.iterations);
   }

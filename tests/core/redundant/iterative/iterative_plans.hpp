@@ -4,13 +4,14 @@
 
 #include "core/base/progress.hpp"
 #include "core/redundant/iterative/iterative.hpp"
+#include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/redundant/split_excess.hpp"
 
 namespace bahnwerk::test {
 
 inline RedundancyResult plan_by_iterations(const RedundancyTask& task, const RedundancyOptions& options) {
   SilentProgress progress;
-  return plan_iterative(task, options, progress, 0, 1);
+  return found(plan_iterative(task, options, progress, 0, 1));
 }
 
 inline void expect_valid_split(const RedundancyTask& task, const RedundancyResult& r) {

@@ -29,46 +29,14 @@ TEST(Joint, OneHoleInsideTheStrokeHardlyMovesTheCoarseAxes) {
   }
 }
 
-/// The coarse axes do what the head does, within their limits, at 400 times.
-void expect_fine_axes_stand_still(const JointTask& task, const JointResult& r) {
-  ASSERT_DOUBLE_EQ(r.head->duration(), r.coarse->duration());
-  for (int i = 0; i <= 400; ++i) {
-    const MotionState x = r.head->evaluate(r.chosen.duration * i / 400),
-                      c = r.coarse->evaluate(r.chosen.duration * i / 400);
-    for (std::size_t k = 0; k < task.machine.axes.size(); ++k) {
-      const Limits& coarse = task.machine.axes[k].coarse;
-      ASSERT_NEAR(x.position[k], c.position[k], 1e-12);
-      ASSERT_NEAR(x.velocity[k], c.velocity[k], 1e-9);
-      EXPECT_LE(std::abs(c.velocity[k]), coarse.velocity * (1 + 1e-9));
-      EXPECT_LE(std::abs(c.acceleration[k]), coarse.acceleration * (1 + 1e-9));
-      EXPECT_LE(std::abs(c.jerk[k]), coarse.jerk * (1 + 1e-6));
-    }
-  }
-}
-
-/// The fine axes stand still, and the coarse ones do what the head does.
-TEST(Joint, TheCoarseAxesAloneAreTheLastResort) {
-  for (const double per_second : {0.0, 150.0}) {
-    CoarseFineMachine machine = test::md1();
-    if (per_second > 0) machine = test::with_jerk(machine, per_second);
-    const JointTask task = test::joint_task(test::slot(60, 8, 200), machine);
-    JointOptions options;
-    options.coarse_alone = true;
-    const JointResult r = plan(task, options);
-    EXPECT_TRUE(r.gave_way);
-    expect_fine_axes_stand_still(task, r);
-  }
-}
-
 /// Cells as short as such strokes ask for would be millions.
-TEST(Joint, AFineAxisOfAMicrometreStandsStill) {
+TEST(Joint, HasNoPlanForStrokesOfAMicrometre) {
   CoarseFineMachine machine = test::md2();
   for (CoarseFineAxis& axis : machine.axes) axis.stroke = 0.001;
-  const JointTask task = test::joint_task(test::holes(2, 2, 40, 3), machine);
-  const JointResult r = plan(task);
-  expect_fine_axes_stand_still(task, r);
-  EXPECT_FALSE(r.gave_way);
-  EXPECT_EQ(r.cells, 0u);
+  SilentProgress progress;
+  const Expected<JointResult, NoPlan> r = plan_joint(test::joint_task(test::holes(2, 2, 40, 3), machine), {}, progress);
+  ASSERT_FALSE(r);
+  EXPECT_EQ(r.reason(), NoPlan::no_fine_axis);
 }
 
 TEST(Joint, AMoveAtASlowFeedHoldsItWithALargeStroke) {

@@ -16,7 +16,7 @@ inline constexpr RedundancyMethod known_methods[] = {RedundancyMethod::geometric
 inline RedundancyResult plan(const RedundancyTask& task, RedundancyMethod method,
                              const RedundancyOptions& options = {}) {
   SilentProgress progress;
-  return redundancy_row(method).plan(task, options, progress, 0, 1);
+  return found(redundancy_row(method).plan(task, options, progress, 0, 1));
 }
 
 inline void expect_valid(const RedundancyTask& task, const RedundancyResult& r) {

@@ -6,6 +6,7 @@
 
 #include "core/motion/law/dwell.hpp"
 #include "core/numeric/random.hpp"
+#include "tests/core/redundant/chosen_plan.hpp"
 #include "tests/core/redundant/frames.hpp"
 #include "tests/core/redundant/known/known_plans.hpp"
 
@@ -20,12 +21,11 @@ TEST(KnownMethods, RetimedTheyAreValidAndShorter) {
     const RedundancyTask task = test::redundancy_task(test::holes(4, 3, 12, 2), machine);
     RedundancyOptions options;
     options.reparametrise = true;
-    SilentProgress progress;
     for (const RedundancyMethod method : known_methods) {
       SCOPED_TRACE(name_of<RedundancyMethod>(method, redundancy_methods));
       const RedundancyResult before = plan(task, method);
       options.method = method;
-      const RedundancyResult after = plan_redundant(task, options, progress);
+      const RedundancyResult after = test::chosen(task, options);
       expect_valid(task, after);
       EXPECT_LE(after.head->duration(), before.head->duration());
       // The filters' reference limits were lowered for the worst place, and hold elsewhere, too.
@@ -46,8 +46,7 @@ TEST(KnownMethods, RetimedMotionsRestWhereTheyDid) {
     RedundancyOptions options;
     options.method = RedundancyMethod::filter;  // the head also waits at both ends
     options.reparametrise = true;
-    SilentProgress progress;
-    const RedundancyResult r = plan_redundant(task, options, progress);
+    const RedundancyResult r = test::chosen(task, options);
     std::size_t dwelt = 0, lasting = 0;
     for (const Rest& rest : contour.rests) lasting += rest.seconds > 0;
     const auto& pieces = r.head->law().pieces();
@@ -73,8 +72,7 @@ TEST(KnownMethods, RetimedIterativePlansAreShorter) {
     options.method = RedundancyMethod::iterative;
     const RedundancyResult before = plan(task, RedundancyMethod::iterative);
     options.reparametrise = true;
-    SilentProgress progress;
-    const RedundancyResult after = plan_redundant(task, options, progress);
+    const RedundancyResult after = test::chosen(task, options);
     expect_valid(task, after);
     EXPECT_LT(after.head->duration(), (seed == 2 ? 0.98 : 0.9998) * before.head->duration());
   }
