@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "api/result_files.hpp"
 #include "api/scene.hpp"
-#include "api/setpoints/result_files.hpp"
 
 namespace bahnwerk {
 class Progress;

@@ -1,5 +1,5 @@
 // The list of kinds: one line each, in the order in which they are shown. Each is described in
-// api/kinds/<name>/<name>.cpp (api/kind_frame.hpp).
+// api/kinds/<name>/<name>.cpp (api/kinds/kind_frame.hpp).
 #define BAHNWERK_KINDS(KIND) \
   KIND(contour)              \
   KIND(fill_factor)          \

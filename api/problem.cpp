@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "api/text/pointer.hpp"
+#include "api/pointer.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/infeasible_at.hpp"
 #include "core/base/number_text.hpp"

@@ -54,7 +54,7 @@ struct Scene {
   std::string frame = "base";           ///< part or base: the frame of all coordinates
   std::optional<PoseFrame> place = {};  ///< place of that frame in the base frame; nullopt: both are one
   double tolerance = 0;                 ///< tolerance of outlines, mm
-  std::size_t left_out = 0;             ///< bodies and turns for which there was no room
+  std::size_t left_out = 0;             ///< bodies and turns beyond the largest size of a scene
   std::vector<SceneMover> movers = {};
   std::vector<SceneBody> bodies = {};
 

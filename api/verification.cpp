@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "api/text/check_text.hpp"
+#include "api/check_text.hpp"
 
 namespace bahnwerk::api {
 

@@ -6,6 +6,8 @@
 #   core/a/b.hpp     one header
 #   <Eigen/ <nlopt.h> headers of a library; in core and api, none that is not named
 # CMake links a layer of core with the layers that its file names.
+# Folders make no circles, inside a layer as well: where files of one folder include files of another, no chain of includes leads back. A folder holds its own
+# files alone, not those of folders below it. Circles that are still there stand in tests/circles.txt, which only gets shorter.
 set -euo pipefail
 cd "${1:-.}"
 declare -A allowed libraries
@@ -62,4 +64,47 @@ while IFS=: read -r file line include; do
     [[ $ok == 1 ]] || { echo "$file:$line includes <$header>, which $own may not"; bad=1; }
   fi
 done < <(grep -RnE '^#include ["<]' core api server --include='*.hpp' --include='*.ipp' --include='*.cpp' | grep -vE '#include <[a-z_]+>')
+
+{ grep -RnE '^#include "(core|api|server)/' core api server --include='*.hpp' --include='*.ipp' --include='*.cpp' || true; } | sort -t: -k1,1 -k2,2n |
+  awk -v known="$(cat tests/circles.txt 2>/dev/null)" '
+  function folder(file) { sub(/\/[^\/]*$/, "", file); return file }
+  # chain(from, to): folders on the shortest chain of includes, each followed by a blank; empty: there is none.
+  function chain(from, to, queue, before, head, tail, here, list, n, i, path) {
+    queue[head = tail = 1] = from; before[from] = ""
+    while (head <= tail) {
+      here = queue[head++]
+      if (here == to) {
+        for (path = to " "; here != from; path = here " " path) here = before[here]
+        return path
+      }
+      n = split(next_to[here], list, " ")
+      for (i = 1; i <= n; ++i)
+        if (!(list[i] in before) && !((here SUBSEP list[i]) in excused)) { before[list[i]] = here; queue[++tail] = list[i] }
+    }
+    return ""
+  }
+  BEGIN { split(known, lines, "\n"); for (i in lines) if (lines[i] !~ /^#/ && split(lines[i], ends, " ") == 2) excused[ends[1], ends[2]] = 1 }
+  {
+    split($0, part, ":"); header = $0; sub(/^[^"]*"/, "", header); sub(/".*/, "", header)
+    from = folder(part[1]); to = folder(header)
+    if (from == to) next
+    if (!((from SUBSEP to) in include)) { include[from, to] = part[1] ":" part[2] " includes " header; next_to[from] = next_to[from] " " to; edges[++count] = from SUBSEP to }
+  }
+  END {
+    for (e = 1; e <= count; ++e) {
+      if (edges[e] in excused) continue
+      split(edges[e], ends, SUBSEP)
+      back = chain(ends[2], ends[1])
+      if (back == "") continue
+      bad = 1
+      n = split(back, at, " "); text = include[edges[e]]; least = ends[1]
+      for (i = 1; i < n; ++i) { text = text ", " include[at[i], at[i + 1]]; if (at[i] < least) least = at[i] }
+      if (least == ends[1] && !(text in told)) { told[text]; print "folders make a circle: " text }
+    }
+    for (e in excused) {
+      split(e, ends, SUBSEP)
+      if (!(e in include) || chain(ends[2], ends[1]) == "") { print "tests/circles.txt names a circle of " ends[1] " and " ends[2] " that is gone"; bad = 1 }
+    }
+    exit bad
+  }' || bad=1
 exit $bad

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# layers.sh has to fail on includes that point up or sideways, on libraries that a layer may not use, on a folder without a layer, and on a layers.txt that
-# names what does not exist. Works on a tree with the project's own layers and headers, all of them empty.
+# layers.sh has to fail on includes that point up or sideways, on libraries that a layer may not use, on a folder without a layer, on a layers.txt that
+# names what does not exist, and on circles between folders. Works on a tree with the project's own layers and headers, all of them empty.
 set -euo pipefail
 root=$(realpath "$(dirname "$0")/..")
 tree=$(mktemp -d)
@@ -32,7 +32,7 @@ including 1 core/motion/jerk/solver.cpp core/verify/verifier.hpp
 including 1 core/motion/profile/profile.cpp core/motion/grid/grid.hpp
 including 1 core/geometry/region/region.hpp core/winding/margin.hpp
 including 1 core/contour/contour.hpp core/plan/contour_plan.hpp
-including 1 api/job.cpp core/motion/jerk/jerk_limited.hpp
+including 1 api/documents/job.cpp core/motion/jerk/jerk_limited.hpp
 including 1 api/kinds/fill_factor/fill_factor.cpp api/kinds/winding/winding.hpp
 including 1 api/kinds/probe_path/probe_path.cpp core/winding/wire.hpp
 including 0 api/kinds/winding/winding.cpp api/problem.hpp
@@ -54,3 +54,26 @@ echo core/base/ >"$tree/core/elsewhere/layers.txt"
 expect 0 "a new layer"
 echo core/base/nothing.hpp >>"$tree/core/elsewhere/layers.txt"
 expect 1 "a list that names what does not exist"
+# Circles between folders of one layer, of two folders and of three, a folder and the one that holds it among them.
+# circle <what has to be said> <file> <include> …: these files are there with these includes alone
+circle() {
+  local said=$1 told file
+  shift
+  for ((k = 1; k < $#; k += 2)); do file=${!k} header=$((k + 1)) && echo "#include \"${!header}\"" >"$tree/$file"; done
+  told=$(tests/layers.sh "$tree") || true
+  for ((k = 1; k < $#; k += 2)); do file=${!k} && : >"$tree/$file"; done
+  [[ $told == "$said" ]] || { echo "layers.sh says '$told', not '$said'"; exit 1; }
+}
+sed -i '$d' "$tree/core/elsewhere/layers.txt"
+to=core/winding/path/link_search.hpp from=core/winding/needle/solid.hpp
+circle "" core/winding/path/payout.cpp $from core/winding/path/post_passage.hpp $from
+circle "folders make a circle: core/winding/needle/payout.cpp:1 includes $to, $to:1 includes $from" core/winding/needle/payout.cpp $to $to $from
+circle "folders make a circle: core/winding/wire.hpp:1 includes $from, core/winding/needle/solid.cpp:1 includes core/winding/margin.hpp" \
+  core/winding/wire.hpp $from core/winding/needle/solid.cpp core/winding/margin.hpp
+circle "folders make a circle: core/winding/needle/a.cpp:1 includes $to, core/winding/path/b.cpp:1 includes core/winding/slot/slot.hpp, core/winding/slot/c.cpp:1 includes $from" \
+  core/winding/needle/a.cpp $to core/winding/path/b.cpp core/winding/slot/slot.hpp core/winding/slot/c.cpp $from
+# One that is known passes, and has to be there.
+mkdir "$tree/tests"
+echo "core/winding/needle core/winding/path" >"$tree/tests/circles.txt"
+circle "" core/winding/needle/payout.cpp $to $to $from
+circle "tests/circles.txt names a circle of core/winding/needle and core/winding/path that is gone" core/winding/needle/payout.cpp $to

@@ -14,8 +14,8 @@ class Progress;
 
 namespace bahnwerk::api {
 
-/// A compiled schema, immutable and thread-safe. SchemaRules (schema_rules.hpp) decide validity; explain()
-/// (schema_explain.hpp) writes the messages, which takes thirty times as long.
+/// A compiled schema, immutable and thread-safe. Its rules decide validity; explain() (schema_explain.hpp) writes the
+/// messages, which takes thirty times as long.
 class Schema {
  public:
   /// Throws std::invalid_argument for a schema that uses an unknown keyword or a $ref that leads nowhere.

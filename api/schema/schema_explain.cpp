@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "api/setpoints/setpoints.hpp"  // append_number
+#include "api/pointer.hpp"
 #include "api/text/json_text.hpp"
-#include "api/text/pointer.hpp"
 #include "core/base/progress.hpp"
 
 namespace bahnwerk::api {

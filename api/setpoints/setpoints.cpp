@@ -7,9 +7,10 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
 #include "api/setpoints/setpoint_rows.hpp"
-#include "api/text/pointer.hpp"
+#include "api/text/json_text.hpp"
 #include "api/text/query_values.hpp"
 #include "core/base/read_rows.hpp"
 
@@ -89,16 +90,6 @@ std::vector<std::size_t> select(const SetpointSeries& series, const std::vector<
 }
 
 }  // namespace
-
-void append_number(std::string& out, double value) {
-  if (!std::isfinite(value)) {  // no verified plan holds one; JSON has no word for it
-    out += "null";
-    return;
-  }
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value).ptr;
-  out.append(buffer, end);
-}
 
 struct SetpointStream::State {
   SetpointSeries series;

@@ -44,11 +44,11 @@ struct SetpointQuery {
   std::optional<std::size_t> count;  ///< rows of the series that the slice spans, before `every`
   std::size_t every = 1;
   std::optional<std::size_t> points;  ///< min/max envelope with about this many points, for charts
-  /// Names of the columns; empty: all of the series. `use`, the largest share of a limit in the row, and `limit`, its
-  /// number (api/views/row_limits.hpp), are given where they are named.
+  /// Names of the columns; empty: all of the series. `use`, the largest fraction of a limit in the row, and `limit`,
+  /// its number (api/views/row_limits.hpp), are given where they are named.
   std::vector<std::string> columns;
   CsvLayout layout = CsvLayout::plain;  ///< layout of CSV rows; not allowed with `points`
-  /// Layout of a file that a kind makes of its result (api/setpoints/result_files.hpp), instead of rows; without other
+  /// Layout of a file that a kind makes of its result (api/result_files.hpp), instead of rows; without other
   /// options.
   std::optional<std::string> file_layout;
   /// Frame of the columns x, y, z, phi and their rates; by default base in the layout twincat_poses if the machine is
@@ -96,8 +96,5 @@ class SetpointStream {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// Appends the shortest text that reads back as the same double (std::to_chars).
-void append_number(std::string& out, double value);
 
 }  // namespace bahnwerk::api

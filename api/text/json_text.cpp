@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 #include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
@@ -202,6 +202,16 @@ json parse_json(std::string_view text, Progress* progress) {
 std::size_t count_characters(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+void append_number(std::string& out, double value) {
+  if (!std::isfinite(value)) {  // no verified plan holds one; JSON has no word for it
+    out += "null";
+    return;
+  }
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value).ptr;
+  out.append(buffer, end);
 }
 
 }  // namespace bahnwerk::api

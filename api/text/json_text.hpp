@@ -2,6 +2,7 @@
 /// Strict parser of JSON text [RFC 8259] with limits of depth, size and memory.
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <string_view>
 
 namespace bahnwerk {
@@ -30,5 +31,8 @@ nlohmann::json parse_json(std::string_view text, Progress* progress = nullptr);
 
 /// Returns the number of code points of a valid UTF-8 text.
 std::size_t count_characters(std::string_view text);
+
+/// Appends the shortest text that reads back as the same double (std::to_chars); null for one that is not finite.
+void append_number(std::string& out, double value);
 
 }  // namespace bahnwerk::api

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 
 namespace bahnwerk::api {
 namespace {

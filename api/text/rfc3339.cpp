@@ -1,8 +1,7 @@
-// RFC 3339 times, ms since 1970 UTC.
+#include "api/text/rfc3339.hpp"
+
 #include <chrono>
 #include <cstdio>
-
-#include "api/job.hpp"
 
 namespace bahnwerk::api {
 namespace {

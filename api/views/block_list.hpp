@@ -36,7 +36,7 @@ struct ListedBlock {
 /// Returns all entries in the order asked for; the earlier ones of equals first. O(n log n).
 std::vector<ListedBlock> list_blocks(const SegmentTable& table, ListedBy by, ListOrder sort);
 
-/// The limit that is met during most of an interval of time, and its share.
+/// The limit that is met during most of an interval of time, and the fraction of the time.
 struct MainLimit {
   std::string name;
   double share = 0;

@@ -19,7 +19,7 @@ using Box = std::array<float, 6>;
 constexpr float far = std::numeric_limits<float>::max();
 constexpr Box empty_box{far, far, far, -far, -far, -far};
 
-/// Chunks of all levels of one path on their way to the store.
+/// Chunks of all levels of one path that are not stored yet.
 class ChunkWriter {
  public:
   ChunkWriter(std::string name, std::size_t dimension, const ViewSink& sink)

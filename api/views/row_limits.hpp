@@ -1,5 +1,5 @@
 #pragma once
-/// The limit that is closest to being met in every row, and its share.
+/// The limit that is closest to being met in every row, and the fraction of it that is used.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -17,15 +17,15 @@ enum RowState : std::uint8_t {
   dwell = 2,  ///< nothing does, and the tool rests up to the next row
 };
 inline constexpr std::size_t row_states = 3;
-inline constexpr double limit_reached = 0.98;  ///< share from which on a row belongs to a limit
+inline constexpr double limit_reached = 0.98;  ///< fraction from which on a row belongs to a limit
 
-/// Where results are written: per row the largest share of a limit, 0 if the row has none, and the row's number.
+/// Where results are written: per row the largest fraction of a limit, 0 if the row has none, and the row's number.
 struct RowUse {
   double* use;
   std::uint8_t* limit;
 };
 
-/// Computes rows of one series. The share of a symmetric limit is |value|/limit; of a range, the distance from its
+/// Computes rows of one series. The fraction of a symmetric limit is |value|/limit; of a range, the distance from its
 /// middle by half its width; of a single bound of the value's sign, value/bound. A range of one value is none. The n-th
 /// difference of row k is that of rows k to k + n, of the series' last rows that of the last n + 1 rows, and 0 in a
 /// series of fewer; divided by step^n. 2 ns per row and limit.
@@ -46,7 +46,7 @@ class RowLimits {
   void compute(const double* values, std::size_t rows, std::size_t from, std::size_t to, RowUse out) const;
 
  private:
-  /// The share of a value: |value − middle| · scale, value · scale, or one of the rare forms.
+  /// The fraction of a value: |value − middle| · scale, value · scale, or one of the rare forms.
   struct Share {
     enum class Form : std::uint8_t { none, range, upper, lower, at_most_zero, at_least_zero, above } form = Form::none;
     double middle = 0, scale = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// What views need of a document: a kind returns it as K::view_facts(request) (api/kind_frame.hpp).
+/// What views need of a document: a kind returns it as K::view_facts(request) (api/kinds/kind_frame.hpp).
 #include <memory>
 
 #include "api/views/declared_limits.hpp"

@@ -60,7 +60,7 @@ enum class CheckedQuantity {
   path_differences,  ///< differences of s
 };
 
-/// The compared quantity and its unit, as data; api/text/check_text.hpp makes the texts for people.
+/// The compared quantity and its unit, as data; api/check_text.hpp makes the texts for people.
 struct Checked {
   CheckedQuantity quantity = CheckedQuantity::named;
   int order = 0;             ///< 0 position, 1 velocity, 2 acceleration, 3 jerk, 4 snap

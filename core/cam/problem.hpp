@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "core/cam/classical/classical_law.hpp"
+#include "core/cam/classical_law.hpp"
 
 namespace bahnwerk::cam {
 

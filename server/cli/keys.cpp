@@ -2,7 +2,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
+#include "api/text/rfc3339.hpp"
 #include "server/cli/cli.hpp"
 #include "server/keys/key_text.hpp"
 #include "server/runtime/clock.hpp"

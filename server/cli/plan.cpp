@@ -8,7 +8,7 @@
 
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
-#include "api/setpoints/result_files.hpp"
+#include "api/result_files.hpp"
 #include "api/setpoints/setpoints.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"

@@ -4,7 +4,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "api/text/pointer.hpp"
+#include "api/pointer.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
 #include "server/store/failure.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "api/text/pointer.hpp"
+#include "api/pointer.hpp"
 #include "server/http/answer.hpp"
 
 namespace bahnwerk::server {

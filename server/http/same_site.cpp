@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 #include "server/http/uri.hpp"
 
 namespace bahnwerk::server {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "server/store/values.hpp"
 
 namespace bahnwerk::server {

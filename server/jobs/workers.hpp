@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "server/jobs/heartbeat.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"

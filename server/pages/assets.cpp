@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/gzip.hpp"

@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
 #include "api/text/json_member.hpp"
-#include "api/text/pointer.hpp"
 #include "api/views/limits_view.hpp"
 
 namespace bahnwerk::server {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"

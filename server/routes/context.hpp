@@ -4,7 +4,7 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 
-#include "api/examples.hpp"
+#include "api/documents/examples.hpp"
 #include "server/callbacks/callback_hosts.hpp"
 #include "server/http/etag.hpp"
 #include "server/http/router.hpp"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"

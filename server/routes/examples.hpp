@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "api/examples.hpp"
+#include "api/documents/examples.hpp"
 
 namespace bahnwerk::server {
 

@@ -2,6 +2,7 @@
 
 #include "api/problem.hpp"
 #include "api/text/query_values.hpp"
+#include "api/text/rfc3339.hpp"
 
 namespace bahnwerk::server {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/key_gate.hpp"
 #include "server/http/middleware.hpp"

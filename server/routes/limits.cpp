@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "api/views/limits_answer.hpp"
+#include "api/setpoints/limits_answer.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/stored_series.hpp"

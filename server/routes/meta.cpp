@@ -2,11 +2,11 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "api/documents/openapi.hpp"
 #include "api/kind.hpp"
-#include "api/openapi.hpp"
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
 #include "api/schema/embedded.hpp"
-#include "api/text/pointer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"

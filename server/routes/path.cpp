@@ -7,11 +7,12 @@
 #include <optional>
 #include <stdexcept>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
+#include "api/setpoints/path_answer.hpp"
 #include "api/setpoints/setpoint_rows.hpp"
-#include "api/text/pointer.hpp"
+#include "api/text/json_text.hpp"
 #include "api/text/query_values.hpp"
-#include "api/views/path_answer.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"

@@ -2,10 +2,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/setpoints/result_files.hpp"
+#include "api/result_files.hpp"
 #include "api/setpoints/setpoints.hpp"
-#include "api/text/pointer.hpp"
 #include "api/text/query_values.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 #include "core/base/progress.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"

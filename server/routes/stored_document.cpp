@@ -1,6 +1,6 @@
 #include "server/routes/stored_document.hpp"
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "api/text/json_parts.hpp"
 
 namespace bahnwerk::server {

@@ -4,8 +4,8 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
-#include "api/text/pointer.hpp"
 #include "api/views/view_facts.hpp"
 #include "core/base/progress.hpp"
 #include "server/routes/stored_document.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "api/text/pointer.hpp"
+#include "api/pointer.hpp"
 #include "server/http/answer.hpp"
 #include "server/keys/key_ring.hpp"
 #include "server/routes/document_check.hpp"

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/job.hpp"
+#include "api/text/rfc3339.hpp"
 #include "server/runtime/clock.hpp"
 
 namespace bahnwerk::server::log {

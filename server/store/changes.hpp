@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 
 namespace bahnwerk::server {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "server/store/values.hpp"
 
 namespace bahnwerk::server {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "api/setpoints/setpoints.hpp"
 #include "api/views/views.hpp"
 

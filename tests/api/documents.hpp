@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "api/problem.hpp"
 #include "tests/source.hpp"
 

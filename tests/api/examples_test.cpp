@@ -1,5 +1,5 @@
 // The documents under schemas/examples and examples: what has to be accepted, and what refused at which pointer.
-#include "api/examples.hpp"
+#include "api/documents/examples.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "api/kind.hpp"
 #include "tests/api/documents.hpp"
 

@@ -1,4 +1,4 @@
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,6 +8,7 @@
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/text/json_text.hpp"
+#include "api/text/rfc3339.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/documents.hpp"

@@ -1,5 +1,5 @@
 // A made-up kind in the frame: it counts down, and has a setpoint for each number.
-#include "api/kind_frame.hpp"
+#include "api/kinds/kind_frame.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,17 +16,19 @@ using nlohmann::ordered_json;
 
 class Rows final : public SetpointSource {
  public:
-  explicit Rows(std::size_t count) : count_(count) {}
+  explicit Rows(std::size_t count, Independent over = {"time", "s", 0.5}) : count_(count), over_(std::move(over)) {}
   const std::vector<Column>& columns() const override { return columns_; }
   std::size_t count() const override { return count_; }
   double cycle_time() const override { return 0.5; }
   double duration() const override { return 0.5 * static_cast<double>(count_ - 1); }
+  Independent independent() const override { return over_; }
   void read(std::size_t first, std::size_t rows, double* out) const override {
     for (std::size_t k = first; k < first + rows; ++k) *out++ = static_cast<double>(count_ - k);
   }
 
  private:
   std::size_t count_;
+  Independent over_;
   std::vector<Column> columns_{{"left", "1"}};
 };
 
@@ -83,6 +85,17 @@ TEST(KindFrame, ResultHasTheMembersOfEveryKindInTheirOrder) {
   EXPECT_EQ(members(job.result["details"]), (std::vector<std::string>{"from", "drawings"}));
   ASSERT_TRUE(job.setpoints);
   EXPECT_EQ(job.setpoints->count(), 4u);
+}
+
+TEST(KindFrame, SummaryOfSetpointsNamesTheIndependentVariableWhereThatIsNotTime) {
+  EXPECT_EQ(planned(3).result["setpoints"].dump(),
+            R"({"count":4,"duration":1.5,"cycle_time":0.5,"columns":[{"name":"left","unit":"1"}]})");
+  KindReport report;
+  report.verification = {{"passed", true}};
+  report.setpoints = std::make_unique<Rows>(5, Independent{"phi", "deg", 90});
+  EXPECT_EQ(planned_job("countdown", std::move(report)).result["setpoints"].dump(),
+            R"({"count":5,"duration":2.0,"cycle_time":0.5,"independent":{"name":"phi","unit":"deg","step":90.0},)"
+            R"("columns":[{"name":"left","unit":"1"}]})");
 }
 
 TEST(KindFrame, WhatAKindDoesNotHaveIsNotInItsResult) {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "api/openapi.hpp"
+#include "api/documents/openapi.hpp"
 
 namespace bahnwerk::api {
 namespace {

@@ -1,11 +1,11 @@
-#include "api/openapi.hpp"
+#include "api/documents/openapi.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "api/kind.hpp"
 #include "api/problem.hpp"
 #include "tests/api/documents.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "api/problem.hpp"
-#include "api/views/path_answer.hpp"
+#include "api/setpoints/path_answer.hpp"
 
 namespace bahnwerk::api {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/contour/polyline.hpp"
 #include "core/numeric/random.hpp"
 #include "core/verify/geometry/tube.hpp"
-#include "tests/core/motion/two_axes.hpp"
+#include "tests/support/machines.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 /// Names of checks in tests of core: those that people read.
-#include "api/text/check_text.hpp"
+#include "api/check_text.hpp"
 
 namespace bahnwerk {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "api/kind.hpp"
 #include "api/problem.hpp"
 

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "api/kind_frame.hpp"
+#include "api/check_text.hpp"
+#include "api/kinds/kind_frame.hpp"
 #include "api/limits_input.hpp"
-#include "api/text/check_text.hpp"
 #include "core/redundant/joint/joint.hpp"
 #include "core/redundant/known/lag_compensation.hpp"
 #include "core/redundant/methods/method_table.hpp"

@@ -13,7 +13,7 @@
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk::api {
-struct KindReport;  // api/kind_frame.hpp
+struct KindReport;  // api/kinds/kind_frame.hpp
 }
 
 namespace bahnwerk::api::contour {

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "api/kind_frame.hpp"
 #include "api/kinds/contour/coarse_fine.hpp"
 #include "api/kinds/contour/contour_scene.hpp"
+#include "api/kinds/kind_frame.hpp"
 #include "api/verification.hpp"
 #include "api/views/segments.hpp"
 #include "core/base/borrowed.hpp"

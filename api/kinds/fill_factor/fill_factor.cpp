@@ -3,7 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "api/kind_frame.hpp"
+#include "api/kinds/kind_frame.hpp"
 #include "api/slot/windable_result.hpp"
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"

@@ -1,12 +1,11 @@
 // The spec of kind "fill_factor" → slot, wires, options.
-#include "api/kinds/fill_factor/fill_factor_input.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "api/kinds/fill_factor/fill_factor.hpp"
+#include "api/slot/slot_input.hpp"
 #include "core/base/errors.hpp"
 #include "core/winding/layout/count_bound.hpp"
 #include "core/winding/part/part.hpp"
@@ -16,6 +15,44 @@ namespace bahnwerk::api::fill_factor {
 namespace {
 
 using nlohmann::json;
+using winding::Wire;
+
+/// Wires of a spec: standard ones by a range or by diameters, and arbitrary ones.
+class WireReader {
+ public:
+  WireReader(int grade, std::vector<InputFault>& faults) : grade_(grade), faults_(faults) {}
+
+  std::vector<Wire> read(const json& spec) {
+    std::vector<Wire> wires;
+    const json list = spec.value("wires", json("standard"));
+    if (list.is_string()) return standard(spec.value("wire_range", json::object()));
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (const auto wire = read_wire(list[i], {"wires", std::to_string(i)}, grade_, faults_)) wires.push_back(*wire);
+    return wires;
+  }
+
+ private:
+  int grade_;
+  std::vector<InputFault>& faults_;
+
+  std::vector<Wire> standard(const json& range) {
+    const auto series = range.value("series", "R20") == "R40" ? winding::Series::r40 : winding::Series::r20;
+    const double least = range.value("least", 0.5), most = range.value("most", 1.6);
+    auto wires = winding::standard_wires(grade_, least, most, series);
+    const auto mm = [&](const char* member, double value, double other) {
+      return short_number(value, other) + " mm" + (range.contains(member) ? "" : " (the default)");
+    };
+    if (least > most) {
+      faults_.push_back(
+          {{"wire_range"}, "is reversed: least is " + mm("least", least, most) + ", most " + mm("most", most, least)});
+    } else if (wires.empty()) {
+      faults_.push_back({{"wire_range"},
+                         "holds no wire of series " + range.value("series", std::string("R20")) + "; the nearest are " +
+                             neighbouring_wires(least, grade_, series)});
+    }
+    return wires;
+  }
+};
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -196,7 +233,7 @@ FillRequest request(const json& spec, Progress* progress) {
   FillRequest request;
   read_slot(spec["slot"], request, progress);
   std::vector<InputFault> faults;
-  request.wires = wires(spec, spec.value("grade", 2), faults);
+  request.wires = WireReader(spec.value("grade", 2), faults).read(spec);
   read_algorithms(spec, request, faults);
   request.overlap_tolerance = given<double>(spec, "overlap_tolerance");
   request.seed = spec.value("seed", std::uint64_t{1});

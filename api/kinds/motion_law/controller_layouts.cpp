@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/setpoints/setpoints.hpp"
+#include "api/text/json_text.hpp"
 #include "core/cam/table/controller_table.hpp"
 
 namespace bahnwerk::api {

@@ -9,15 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "api/kind_frame.hpp"
-#include "api/kinds/motion_law/cam_result.hpp"
+#include "api/kinds/kind_frame.hpp"
 #include "api/kinds/motion_law/controller_layouts.hpp"
-#include "api/kinds/motion_law/load_result.hpp"
 #include "api/kinds/motion_law/motion_law_input.hpp"
 #include "api/kinds/motion_law/motion_law_result.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/infeasible_at.hpp"
-#include "core/cam/spline/active_set.hpp"
+#include "core/cam/active_set/active_set.hpp"
 #include "core/plan/motion_law/cam_drawing.hpp"
 #include "core/plan/motion_law/law_drawings.hpp"
 
@@ -73,12 +71,6 @@ ResultFile cam_table(const nlohmann::json& result, std::string_view layout, std:
           "X-Refit-Error",
           table.refit_error};
 }
-
-/// The law, and what it moves.
-struct MotionLawPlan : LawPlan {
-  std::optional<CamPlan> cam;
-  std::optional<LoadPlan> load;
-};
 
 /// Sections that the drive limits name the drive where they exclude every law.
 LawPlan planned_law(const MotionLawRequest& asked, Progress& progress) {
@@ -156,11 +148,6 @@ struct MotionLawKind {
 
   static KindReport report(const MotionLawRequest& asked, const MotionLawPlan& plan, Progress&) {
     KindReport out = report_law(asked, plan);
-    if (plan.cam) out.details["cam"] = cam_result(*plan.cam);
-    if (plan.load) {
-      out.details["load"] = load_result(*plan.load, plan);
-      out.summary["peak_load"] = plan.load->figures.peak(), out.summary["rms_load"] = plan.load->figures.rms;
-    }
     if (asked.drawings) {
       out.drawings = {{"law.svg", law_drawing(plan)}, {"spectrum.svg", spectrum_drawing(plan)}};
       if (plan.cam) out.drawings["cam.svg"] = cam_drawing(*plan.cam), out.drawings["cam.dxf"] = cam_dxf(*plan.cam);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/kind_frame.hpp"
+#include "api/kinds/kind_frame.hpp"
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"

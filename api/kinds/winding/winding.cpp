@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "api/kind_frame.hpp"
+#include "api/kinds/kind_frame.hpp"
 #include "api/kinds/winding/winding_input.hpp"
 #include "api/kinds/winding/winding_result.hpp"
 #include "api/kinds/winding/winding_scene.hpp"

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 using Kind = SceneBody::Kind;
 
-// Vertices up to which bodies of each sort are added, so that there is room for what follows.
+// Vertices up to which bodies of each sort are added, so that what follows fits.
 constexpr std::size_t most_of_part = 2500, most_of_tools = 3000, most_of_slots = 4000;
 constexpr double finest = 0.02, outer_edge = 1.1;  // mm; radius of a stator's assumed outer edge by that of its slots
 

@@ -19,8 +19,8 @@ namespace bahnwerk::cam {
 struct SectionEnds {
   double from[4]{}, to[4]{};
 };
-/// Returns a section of the law between `begin` and `end`, s, with its inflection at the share λ of its length; none:
-/// 0.5, or that of half_law.hpp. `fractions` are those of `sine_straight_combination`.
+/// Returns a section of the law between `begin` and `end`, s, with its inflection at the fraction λ of its length;
+/// none: 0.5, or that of half_law.hpp. `fractions` are those of `sine_straight_combination`.
 GivenSection classical_section(ClassicalLaw law, std::optional<double> inflection, double begin, double end,
                                const SectionEnds& ends, const SineStraight& fractions = {});
 

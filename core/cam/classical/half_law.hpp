@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/cam/classical/classical_law.hpp"
+#include "core/cam/classical_law.hpp"
 
 namespace bahnwerk::cam {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/cam/optimal/law_task.hpp"
 #include "core/cam/optimal/program/spline_program.hpp"
+#include "core/cam/optimal/task/law_task.hpp"
 
 namespace bahnwerk::cam {
 

@@ -19,8 +19,8 @@
 namespace bahnwerk::cam {
 namespace {
 
-constexpr double wanted = 1e-7;  // share by which the cycle may be longer than its degree, pieces and angles allow
-constexpr double solved = 2e-9;  // share of a limit that peaks stay below it, for what programs and rounding leave
+constexpr double wanted = 1e-7;  // fraction by which the cycle may be longer than its degree, pieces and angles allow
+constexpr double solved = 2e-9;  // fraction of a limit that peaks stay below it, for what programs and rounding leave
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_durations = 60, most_passes = 8, most_bounds = 7, most_refinements = 10;
 constexpr std::size_t most_pieces = 200;      // most pieces of a section
@@ -106,7 +106,7 @@ class CycleSearch {
     return SplineProgram(task, result_.basis, times_).solve({}, progress_);
   }
 
-  /// Returns the share of a limit that the peaks of a law may take.
+  /// Returns the fraction of a limit that the peaks of a law may take.
   double target() const {
     if (result_.duration == 0) return 1 - solved;
     const LawTask task = task_of(problem_, result_.duration);
@@ -129,7 +129,7 @@ class CycleSearch {
     explain_infeasible(task, result_.basis, times_, progress_);
   }
 
-  /// Finds the shortest cycle at the chosen angles, to a share `close`; begins with a duration.
+  /// Finds the shortest cycle at the chosen angles, to a fraction `close`; begins with a duration.
   void shorten(double duration, double close) {
     double low = 0, high = infinity, slope = 2;  // M falls like T^−slope
     double last_duration = 0, last = 0;
@@ -167,8 +167,8 @@ class CycleSearch {
     if (result_.duration == 0) refuse(duration);
   }
 
-  /// Takes the angles with the least peaks in the cycle as it is, if they are less by the share `gain`. Returns whether
-  /// it does.
+  /// Takes the angles with the least peaks in the cycle as it is, if they are less by the fraction `gain`. Returns
+  /// whether it does.
   bool choose_angles(bool widely, double gain) {
     const LawTask task = task_of(problem_, result_.duration);
     FreeAngles free = widely ? optimise_angles(task, result_.basis, problem_.seed, progress_)

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int most_steps = 30;
 constexpr int most_halvings = 4;        // each halving halves the distance to the middle of the ranges
-constexpr double coarsest_gap = 1e-4;   // gap relative to J, for programs on the way
-constexpr double least_section = 1e-3;  // share of the mean section by which angles are kept apart
+constexpr double coarsest_gap = 1e-4;   // gap relative to J, for programs before the last one
+constexpr double least_section = 1e-3;  // fraction of the mean section by which angles are kept apart
 
 class AngleSearch {
  public:
@@ -29,7 +29,7 @@ class AngleSearch {
   SplineResult descend(std::vector<double> times, double least_gap) {
     double gap = coarsest_gap;  // a small part of what the last step promised
     SplineResult now = at(times, gap, nullptr);
-    double share = 1;  // share of the largest allowed radius that a step takes
+    double share = 1;  // fraction of the largest allowed radius that a step takes
     for (int step = 0; step < most_steps && share > 1e-5; ++step) {
       if (!usable(now)) {  // the times move towards the middle of the ranges, where a law is likelier
         const std::vector<double> middle = task_.middle();

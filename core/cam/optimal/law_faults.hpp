@@ -1,7 +1,7 @@
 #pragma once
 /// Why no law exists: which values contradict each other, which ranges and section limits cannot hold.
-#include "core/cam/optimal/law_task.hpp"
 #include "core/cam/optimal/program/law_basis.hpp"
+#include "core/cam/optimal/task/law_task.hpp"
 
 namespace bahnwerk {
 class Progress;

@@ -12,7 +12,7 @@
 #include "core/cam/optimal/program/spline_program.hpp"
 #include "core/cam/optimal/relaxation/law_bound.hpp"
 #include "core/cam/optimal/rest_to_rest.hpp"
-#include "core/cam/optimal/sections/straight_sections.hpp"
+#include "core/cam/optimal/straight_sections.hpp"
 
 namespace bahnwerk::cam {
 namespace {

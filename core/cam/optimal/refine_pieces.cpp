@@ -9,7 +9,7 @@ namespace {
 constexpr double change = 0.1;       // part of the largest jerk by which it changes at a piece that is halved
 constexpr double hidden = 1e-6;      // part of a usual derivative that rounding may hide in a piece
 constexpr double kept = 1e-10;       // part of the largest acceleration that rounding may hide at a joint of pieces
-constexpr double least_ramp = 1e-3;  // share of a section below which no piece is halved where no jerk is limited
+constexpr double least_ramp = 1e-3;  // fraction of a section below which no piece is halved where no jerk is limited
 constexpr std::size_t jerk_order = 3;
 
 struct PieceJerk {

@@ -11,7 +11,7 @@ namespace bahnwerk::cam {
 namespace {
 
 constexpr double within = 4e-10;  // part of a limit by which a peak may be above it
-constexpr double ramp = 1e-3;     // share of a stroke's duration for what jumps in the bound
+constexpr double ramp = 1e-3;     // fraction of a stroke's duration for what jumps in the bound
 
 /// Durations of the parts of constant jerk (four times), acceleration (twice) and velocity.
 struct Parts {

@@ -68,18 +68,6 @@ BezierPiece link(std::size_t continuity, const LinkEnds& ends, const LinkShape& 
   return BezierPiece(std::move(points));
 }
 
-std::vector<double> inherited_weights(std::size_t continuity, const std::array<double, spline_orders>& before,
-                                      const std::array<double, spline_orders>& after, const LinkShape& shape) {
-  std::vector<double> weights(link_points(continuity));
-  for (const bool last : {false, true}) {
-    const End end{continuity, last};
-    auto own = reparametrised(last ? after : before, inverse_change(last ? shape.after : shape.before));
-    for (std::size_t n = 0; n < own.size(); ++n) own[n] *= end.sign(n);
-    for (std::size_t i = 0; i <= continuity; ++i) weights[end.point(i)] = end_point(own, end.degree, i);
-  }
-  return weights;
-}
-
 void link_gradient(std::size_t continuity, const LinkEnds& ends, const LinkShape& shape, std::span<const Vec> by_points,
                    std::span<double> gradient) {
   check(continuity, shape);

@@ -32,12 +32,6 @@ constexpr std::size_t link_points(std::size_t continuity) { return 2 * continuit
 /// weights that are not positive, and counts that do not match.
 BezierPiece link(std::size_t continuity, const LinkEnds& ends, const LinkShape& shape);
 
-/// Returns the weights that continue the homogeneous derivatives of the neighbours as in (4.57): the source's link.
-/// Between lines they are 1. For large β₂, β₃ beside arcs they may be zero or negative; link() refuses those. `before`,
-/// `after` are the neighbour's weight and its derivatives at the joint.
-std::vector<double> inherited_weights(std::size_t continuity, const std::array<double, spline_orders>& before,
-                                      const std::array<double, spline_orders>& after, const LinkShape& shape);
-
 /// Computes the adjoint of link(): converts the gradient of a function by w·(x, y, z) of every control point to the
 /// gradient by β₁ … β_k before, then after, with constant weights. O(k²). Throws what link() throws, and for counts
 /// that do not match.

@@ -45,13 +45,6 @@ SplineJet reparametrised(const SplineJet& jet, const Series& change) {
   return r;
 }
 
-std::array<double, spline_orders> reparametrised(const std::array<double, spline_orders>& jet, const Series& change) {
-  const Series s = composed(Series::from(jet[0], jet[1], jet[2], jet[3], jet[4]), change);
-  std::array<double, spline_orders> r;
-  for (std::size_t n = 0; n < spline_orders; ++n) r[n] = s.derivative(n);
-  return r;
-}
-
 SplineJet beta_derivative(const SplineJet& link, const Series& change, std::size_t j) {
   Series power = -1;
   for (std::size_t i = 1; i <= j; ++i) power = power * change / static_cast<double>(i);

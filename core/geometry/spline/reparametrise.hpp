@@ -27,8 +27,6 @@ Series reverted(const Series& f);
 Series inverse_change(const Betas& betas);
 /// Returns the derivatives of s ∘ change from those of s.
 SplineJet reparametrised(const SplineJet& jet, const Series& change);
-/// Returns the derivatives of one coordinate, such as the weight.
-std::array<double, spline_orders> reparametrised(const std::array<double, spline_orders>& jet, const Series& change);
 
 /// Returns ∂š⁽ⁿ⁾/∂β_j, j = 1 … 4, of š = s ∘ f⁻¹. From f(f⁻¹(x)) = x follows ∂š/∂β_j = −(f⁻¹)ʲ/j! · š′.
 SplineJet beta_derivative(const SplineJet& link, const Series& change, std::size_t j);

@@ -5,8 +5,8 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
+#include "core/cam/active_set/angle_search.hpp"
 #include "core/cam/optimal/optimal_law.hpp"
-#include "core/cam/spline/angle_search.hpp"
 
 namespace bahnwerk {
 

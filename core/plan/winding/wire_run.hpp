@@ -10,8 +10,8 @@
 #include "core/motion/law/path_motion.hpp"
 #include "core/motion/law/time_law.hpp"
 #include "core/plan/winding/pose_path.hpp"
-#include "core/winding/needle/payout.hpp"
 #include "core/winding/needle/wire_tension.hpp"
+#include "core/winding/path/payout.hpp"
 
 namespace bahnwerk {
 

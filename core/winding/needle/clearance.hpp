@@ -22,8 +22,6 @@ struct NeedleMove {
   double sweep = 0;               ///< angle of an arc, rad
   NeedlePose at(double u) const;  ///< returns the pose at u in [0, 1]
 };
-/// Returns the fixed pieces with straight moves between them, on which tip and angles are linear, too.
-std::vector<NeedleMove> straight_links(const std::vector<FixedPiece>& pieces);
 
 struct Clearance {
   double minimum = 0;        ///< mm; negative: depth to which the needle enters an obstacle

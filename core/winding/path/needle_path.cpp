@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -13,13 +14,70 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
+#include "core/geometry/spline/link.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/winding/part/vec3.hpp"
-#include "core/winding/path/known_links.hpp"
 #include "core/winding/path/link_search.hpp"
 
 namespace bahnwerk::winding {
 namespace {
+
+// A memory of links for congruent ends: rotated about the part's axis, or mirrored by a plane through it. All links of
+// coils that are repeated around the part have such ends. The smoothness of a link depends neither on its place nor on
+// its orientation.
+
+class KnownLinks {
+ public:
+  explicit KnownLinks(std::size_t continuity) : continuity_(continuity) {}
+  /// Returns the first remembered link that joins such ends. O(log n).
+  const FoundLink* find(const LinkEnds& ends) const;
+  void remember(const LinkEnds& ends, const FoundLink& link);
+
+ private:
+  struct Known {
+    LinkEnds ends;
+    FoundLink link;
+  };
+  std::size_t continuity_;
+  std::multimap<double, Known> by_chord_;
+};
+
+constexpr double alike = 1e-11;
+
+double chord(const LinkEnds& ends) { return norm(place(ends.after[0]) - place(ends.before[0])); }
+
+/// Returns whether `b` is `a` rotated about the z axis, or mirrored by a plane through it, to 1e-11: places relative to
+/// the distance of both ends, each derivative up to `continuity` relative to the first one. Angles of the needle do not
+/// count.
+bool congruent(const LinkEnds& a, const LinkEnds& b, std::size_t continuity) {
+  const Vec from = place(a.before[0]), to = place(b.before[0]);
+  const double size = std::hypot(from.x, from.y) * std::hypot(to.x, to.y), distance = chord(a);
+  // Compares as complex numbers: b = e^{iθ} a, or the conjugate of a.
+  const auto alike_by = [&](double hand) {
+    const double c = (from.x * to.x + hand * from.y * to.y) / size, s = (from.x * to.y - hand * from.y * to.x) / size;
+    const auto same = [&](const SplineJet& x, const SplineJet& y) {
+      const double way = norm(place(x[1]));
+      for (std::size_t j = 0; j <= continuity; ++j) {
+        const Vec p = place(x[j]), moved{c * p.x - s * hand * p.y, s * p.x + c * hand * p.y, p.z};
+        if (!(norm(moved - place(y[j])) <= alike * (j == 0 ? distance : way))) return false;
+      }
+      return true;
+    };
+    return same(a.before, b.before) && same(a.after, b.after);
+  };
+  return alike_by(1) || alike_by(-1);
+}
+
+const FoundLink* KnownLinks::find(const LinkEnds& ends) const {
+  const double length = chord(ends), slack = 4 * alike * length;
+  for (auto i = by_chord_.lower_bound(length - slack); i != by_chord_.end() && i->first <= length + slack; ++i)
+    if (congruent(i->second.ends, ends, continuity_)) return &i->second.link;
+  return nullptr;
+}
+
+void KnownLinks::remember(const LinkEnds& ends, const FoundLink& link) {
+  by_chord_.emplace(chord(ends), Known{ends, link});
+}
 
 constexpr double pi = std::numbers::pi;
 constexpr double shortest = 1e-6;  // mm, of a piece or of a link's chord

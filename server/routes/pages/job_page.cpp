@@ -6,12 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "api/kind.hpp"
+#include "api/pointer.hpp"
 #include "api/problem.hpp"
+#include "api/setpoints/limits_answer.hpp"
 #include "api/setpoints/setpoints.hpp"
 #include "api/text/json_member.hpp"
 #include "api/text/json_parts.hpp"
-#include "api/text/pointer.hpp"
-#include "api/views/limits_answer.hpp"
+#include "api/text/rfc3339.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/uri.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "api/setpoints/result_units.hpp"
+#include "api/result_units.hpp"
 #include "server/pages/shell.hpp"
 #include "server/routes/pages/json_members.hpp"
 

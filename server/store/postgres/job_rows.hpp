@@ -1,6 +1,6 @@
 #pragma once
 /// Rows of the tables as api::Job.
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "server/store/postgres/connection.hpp"
 
 namespace bahnwerk::server {

@@ -7,7 +7,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 
 namespace bahnwerk::server {
 

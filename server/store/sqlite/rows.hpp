@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "server/store/sqlite/connection.hpp"
 
 namespace bahnwerk::server {

@@ -8,8 +8,8 @@
 #include "api/kinds/contour/contour.hpp"
 #include "api/problem.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api::contour {
 namespace {
@@ -20,10 +20,7 @@ json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/contour/" + name + ".json"));
 }
 
-PlannedJob planned(const json& spec) {
-  SilentProgress progress;
-  return test::checked(find_kind("contour")->plan(spec, progress));
-}
+const test::SpecPlanner planned("contour");
 
 /// [Bock Table 2.1].
 TEST(CoarseFine, ExampleMachinesAreThoseOfTheSource) {

@@ -11,17 +11,15 @@
 #include "api/setpoints/setpoints.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api::contour {
 namespace {
 
 using nlohmann::json;
 
-PlannedJob planned(const json& spec, Progress& progress) {
-  return test::checked(find_kind("contour")->plan(spec, progress));
-}
+const test::SpecPlanner planned("contour");
 
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/contour/" + name + ".json"));

@@ -10,17 +10,15 @@
 #include "api/kind.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api::fill_factor {
 namespace {
 
 using nlohmann::json;
 
-PlannedJob planned(const json& spec, Progress& progress) {
-  return test::checked(find_kind("fill_factor")->plan(spec, progress));
-}
+const test::SpecPlanner planned("fill_factor");
 
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/fill_factor/" + name + ".json"));

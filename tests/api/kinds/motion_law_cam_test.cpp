@@ -8,8 +8,8 @@
 #include "api/kind.hpp"
 #include "core/base/infeasible_at.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api::motion_law {
 namespace {
@@ -18,10 +18,7 @@ using nlohmann::json;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-PlannedJob planned(const json& spec, const char* kind = "motion_law") {
-  SilentProgress silent;
-  return test::checked(find_kind(kind)->plan(spec, silent));
-}
+const test::SpecPlanner planned("motion_law");
 json example(const std::string& name) { return test::read_json(test::source("examples/" + name + ".json")).at("spec"); }
 json swinging() {
   json spec = example("radial_cam");
@@ -74,7 +71,7 @@ TEST(MotionLawCam, TheProfileIsPlannedAsAContour) {
   for (const json& spec : {example("radial_cam"), barrel()}) {
     const json contour = planned(spec).result["details"]["cam"]["contour"];
     EXPECT_FALSE(test::refusal(contour.dump()));
-    const PlannedJob job = planned(contour["spec"], "contour");
+    const PlannedJob job = test::SpecPlanner("contour")(contour["spec"]);
     EXPECT_TRUE(job.verified);
     EXPECT_GT(job.result["summary"]["path_length"].get<double>(), 100);
   }

@@ -8,18 +8,15 @@
 #include "api/kinds/motion_law/controller_layouts.hpp"
 #include "api/kinds/motion_law/motion_law_input.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api::motion_law {
 namespace {
 
 using nlohmann::json;
 
-PlannedJob planned(const json& spec) {
-  SilentProgress silent;
-  return test::checked(find_kind("motion_law")->plan(spec, silent));
-}
+const test::SpecPlanner planned("motion_law");
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/motion_law/" + name + ".json"));
 }

@@ -8,18 +8,15 @@
 #include "api/kind.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api::probe_path {
 namespace {
 
 using nlohmann::json;
 
-PlannedJob planned(const json& spec) {
-  SilentProgress silent;
-  return test::checked(find_kind("probe_path")->plan(spec, silent));
-}
+const test::SpecPlanner planned("probe_path");
 
 json spec(json points, double tolerance, const std::string& method) {
   json axes = json::object();

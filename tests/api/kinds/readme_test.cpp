@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -22,9 +22,7 @@ using nlohmann::json;
 constexpr double rounding = 1e-9;  // relative: another compiler may add in another order
 
 PlannedJob planned(const std::string& example) {
-  SilentProgress progress;
-  const auto request = parse_job(test::read_file(test::source("examples/" + example + ".json")));
-  return test::checked(plan_job(request.kind, request.document, progress));
+  return test::planned_document(test::read_file(test::source("examples/" + example + ".json")));
 }
 
 const std::string& readme() {

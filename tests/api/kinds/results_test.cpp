@@ -7,24 +7,20 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api {
 namespace {
 
 using nlohmann::json;
 
-PlannedJob planned(const json& document) {
-  SilentProgress progress;
-  const auto request = parse_job(document.dump());
-  return test::checked(plan_job(request.kind, request.document, progress));
-}
+PlannedJob planned(const json& document) { return test::planned_document(document.dump()); }
 
 /// The duration of a plan, s, how many wires a slot takes, or J of a motion law: what golden.json says of the example,
 /// to a thousandth. A change of it is a change of what users get, and has to be meant.

@@ -9,8 +9,8 @@
 
 #include "api/kind.hpp"
 #include "core/base/progress.hpp"
-#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/support/planned.hpp"
 
 namespace bahnwerk::api::winding_kind {
 
@@ -24,10 +24,7 @@ inline nlohmann::json machine(const std::string& name) {
 }
 
 /// The plan of a spec, whose result follows its schema.
-inline PlannedJob planned(const nlohmann::json& spec) {
-  SilentProgress silent;
-  return test::checked(find_kind("winding")->plan(spec, silent));
-}
+inline const test::SpecPlanner planned("winding");
 
 /// The problem that a job with this spec ends with.
 inline std::string problem_of(const nlohmann::json& spec, std::string_view slug) {

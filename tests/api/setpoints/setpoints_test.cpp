@@ -23,36 +23,6 @@ using namespace test;
 constexpr SetpointFormat formats[] = {SetpointFormat::json, SetpointFormat::csv, SetpointFormat::ndjson,
                                       SetpointFormat::f64};
 
-TEST(AppendNumber, IsTheShortestTextThatReadsBack) {
-  std::mt19937_64 random(1);
-  for (int i = 0; i < 100'000; ++i) {
-    double value;
-    const std::uint64_t bits = random();
-    std::memcpy(&value, &bits, 8);
-    if (!std::isfinite(value)) continue;
-    std::string text;
-    append_number(text, value);
-    double back;
-    std::from_chars(text.data(), text.data() + text.size(), back);
-    ASSERT_EQ(back, value);
-    ASSERT_EQ(json::parse(text).get<double>(), value) << text;
-  }
-}
-
-TEST(AppendNumber, WritesPlainFormsPlainly) {
-  const auto text = [](double value) {
-    std::string out;
-    append_number(out, value);
-    return out;
-  };
-  EXPECT_EQ(text(-0.0), "0");
-  EXPECT_EQ(text(12), "12");
-  EXPECT_EQ(text(0.1), "0.1");
-  EXPECT_EQ(text(-1e-9), "-1e-09");
-  EXPECT_EQ(text(std::numeric_limits<double>::infinity()), "null");
-  EXPECT_EQ(text(std::nan("")), "null");
-}
-
 TEST(SetpointStream, EveryFormatHoldsTheSeries) {
   for (std::size_t rows : {1u, 2u, 2047u, 2048u, 2049u, 20'000u})
     for (auto format : formats) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "api/job.hpp"
+#include "api/documents/job.hpp"
 #include "api/kind.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"

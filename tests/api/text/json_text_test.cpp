@@ -159,5 +159,35 @@ TEST(ParseJson, AsksProgress) {
   EXPECT_EQ(counter.reports, 3);
 }
 
+TEST(AppendNumber, IsTheShortestTextThatReadsBack) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100'000; ++i) {
+    double value;
+    const std::uint64_t bits = random();
+    std::memcpy(&value, &bits, 8);
+    if (!std::isfinite(value)) continue;
+    std::string text;
+    append_number(text, value);
+    double back;
+    std::from_chars(text.data(), text.data() + text.size(), back);
+    ASSERT_EQ(back, value);
+    ASSERT_EQ(nlohmann::json::parse(text).get<double>(), value) << text;
+  }
+}
+
+TEST(AppendNumber, WritesPlainFormsPlainly) {
+  const auto text = [](double value) {
+    std::string out;
+    append_number(out, value);
+    return out;
+  };
+  EXPECT_EQ(text(-0.0), "0");
+  EXPECT_EQ(text(12), "12");
+  EXPECT_EQ(text(0.1), "0.1");
+  EXPECT_EQ(text(-1e-9), "-1e-09");
+  EXPECT_EQ(text(std::numeric_limits<double>::infinity()), "null");
+  EXPECT_EQ(text(std::nan("")), "null");
+}
+
 }  // namespace
 }  // namespace bahnwerk::api

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
+#include "api/text/rfc3339.hpp"
 
-#include "api/job.hpp"
+#include <gtest/gtest.h>
 
 namespace bahnwerk::api {
 namespace {

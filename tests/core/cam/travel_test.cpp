@@ -5,9 +5,9 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
+#include "core/cam/active_set/active_set.hpp"
 #include "core/cam/optimal/drive.hpp"
 #include "core/cam/optimal/optimal_law.hpp"
-#include "core/cam/spline/active_set.hpp"
 #include "tests/core/cam/problems.hpp"
 
 namespace bahnwerk::cam {

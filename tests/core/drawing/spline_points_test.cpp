@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/spline/length_spline.hpp"
+#include "core/geometry/path/arc_length.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/numeric/random.hpp"
 
@@ -79,7 +79,11 @@ TEST(CurvaturePoints, LengthsAreThoseOfTheCurve) {
           homogeneous({10.0 * i, random.uniform(-20, 20), random.uniform(-20, 20), 0, 0}, random.uniform(0.5, 2)));
     const BezierPiece piece(points);
     const auto found = curvature_points(std::vector{piece}, 64);
-    const LengthSpline exact(piece, 1e-9);
+    std::vector<Vec> places;
+    std::vector<double> weights;
+    for (const HomogeneousPoint& p : points)
+      places.push_back(place(projected(p))), weights.push_back(p[spline_dimension]);
+    const ArcLength exact(Rational::bezier(places, weights));
     EXPECT_NEAR(found.back().length, exact.length(), 1e-6);
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](auto& a, auto& b) { return a.length < b.length; }));
   }

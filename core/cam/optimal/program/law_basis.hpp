@@ -4,8 +4,8 @@
 #include <deque>
 #include <vector>
 
-#include "core/cam/optimal/law_task.hpp"
-#include "core/cam/optimal/program/section_basis.hpp"
+#include "core/cam/optimal/task/law_task.hpp"
+#include "core/cam/optimal/task/section_basis.hpp"
 
 namespace bahnwerk::cam {
 

@@ -17,8 +17,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/cam/optimal/law_task.hpp"
 #include "core/cam/optimal/program/law_basis.hpp"
+#include "core/cam/optimal/task/law_task.hpp"
 #include "core/numeric/interior_point/bordered_band.hpp"
 
 namespace bahnwerk {
@@ -70,9 +70,9 @@ struct JointStep {
 
 /// Why no law exists: conditions and limits that stand against each other.
 struct LawConflict {
-  bool values = false;                  ///< values and continuity alone contradict each other
-  double violation = 0;                 ///< the least that ranges and limits have to give way, in the orders' units
-  std::vector<std::size_t> conditions;  ///< numbers in LawTask::conditions
+  bool values = false;                              ///< values and continuity alone contradict each other
+  double violation = 0;                             ///< the least excess over ranges and limits, in the orders' units
+  std::vector<std::size_t> conditions;              ///< numbers in LawTask::conditions
   std::vector<std::pair<std::size_t, int>> limits;  ///< numbers of sections, and orders or effort_order
 };
 
@@ -145,7 +145,7 @@ class SplineProgram {
                       std::vector<BorderedRow::Term>& out) const;
 
   double objective_limit_ = BorderedRow::unlimited;  // largest J of least_rms, in parts of unit_objective_
-  std::size_t give_ = BorderedRow::none;             // shared variable of find_conflict: what rows give way
+  std::size_t give_ = BorderedRow::none;             // shared variable of find_conflict: the excess of all rows
   std::vector<std::size_t> equality_condition_;      // condition of each equality, or none
   std::vector<std::vector<std::size_t>> left_out_;   // by equality: sections whose begin's numbers were left out
   const LawTask& task_;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/base/progress.hpp"
-#include "core/cam/optimal/extrema.hpp"
 #include "core/cam/optimal/program/spline_program.hpp"
+#include "core/cam/optimal/task/extrema.hpp"
 #include "core/numeric/gauss_legendre.hpp"
 
 namespace bahnwerk::cam {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/cam/optimal/program/spline_program.hpp"
-#include "core/cam/optimal/vibration.hpp"
+#include "core/cam/optimal/program/vibration.hpp"
 
 namespace bahnwerk::cam {
 

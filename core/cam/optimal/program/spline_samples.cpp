@@ -6,8 +6,8 @@
 #include <numbers>
 #include <tuple>
 
-#include "core/cam/optimal/extrema.hpp"
 #include "core/cam/optimal/program/spline_program.hpp"
+#include "core/cam/optimal/task/extrema.hpp"
 
 namespace bahnwerk::cam {
 namespace {

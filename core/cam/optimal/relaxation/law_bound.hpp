@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/cam/optimal/law_task.hpp"
-#include "core/cam/optimal/sections/known_law.hpp"
+#include "core/cam/optimal/relaxation/known_law.hpp"
+#include "core/cam/optimal/task/law_task.hpp"
 
 namespace bahnwerk {
 class Progress;

@@ -105,7 +105,7 @@ double relaxation_bound(const LawTask& task, const std::vector<Range>& ranges, c
   RelaxationProgram program(task, ascending, law, options.cells);
   const Attempt near = solve(program, task, law, options, 1.1, 0.01, progress);
   if (near.converged) return near.bound;
-  // Factors may fail on the way: from farther inside they are others.
+  // Factorisations may fail before the end: from farther inside they are others.
   return std::max(near.bound, solve(program, task, law, options, 2, 0.1, progress).bound);
 }
 

@@ -4,11 +4,11 @@
 /// Nodes lie at every point, in the middle of its range where its time is free, and evenly between them. Two nodes of
 /// the same time are one place before and behind a jump of the acceleration or the velocity, or two points whose ranges
 /// have the same middle: `joined` derivatives are equal there. A section whose law is known but for its position has no
-/// cells: what it is worth, its ends say.
+/// cells: its cost follows from its end values.
 #include <cstddef>
 #include <vector>
 
-#include "core/cam/optimal/law_task.hpp"
+#include "core/cam/optimal/task/law_task.hpp"
 
 namespace bahnwerk::cam {
 

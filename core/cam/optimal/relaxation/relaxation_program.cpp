@@ -276,7 +276,7 @@ void RelaxationProgram::add_cells() {
       const auto o = static_cast<std::size_t>(r);
       Range limit = task_.limits[cell.section][o];
       if (limit.free()) continue;
-      if (limit.fixed()) {  // a little room, for a program with an interior: what the bound loses is as little
+      if (limit.fixed()) {  // a small range, for a program with an interior: the bound loses as little
         const double room = 1e-6 * (r == 0 ? 1 : unit_[o]);
         limit = {limit.min - room, limit.max + room};
       }

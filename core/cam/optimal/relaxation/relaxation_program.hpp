@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "core/cam/optimal/law_task.hpp"
+#include "core/cam/optimal/relaxation/known_law.hpp"
 #include "core/cam/optimal/relaxation/relaxation_grid.hpp"
-#include "core/cam/optimal/sections/known_law.hpp"
+#include "core/cam/optimal/task/law_task.hpp"
 #include "core/numeric/interior_point/bordered_band.hpp"
 
 namespace bahnwerk::cam {

@@ -1,4 +1,4 @@
-#include "core/cam/classical/classical_law.hpp"
+#include "core/cam/classical_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/geometry/spline/end_conditions.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "tests/core/geometry/spline/spline_support.hpp"
 
@@ -97,12 +98,27 @@ TEST(Link, WeightsKeepContinuityAtArcs) {
   EXPECT_GE(testing::distance(by_length(broken.at(0))[3], rate), 1e-5);
 }
 
+/// The source's weights, which continue the homogeneous derivatives of the neighbours; `before` and `after` are the
+/// neighbour's weight and its derivatives at the joint [Herrmann (4.57)].
+std::vector<double> inherited_weights(const Series& before, const Series& after, const LinkShape& shape) {
+  constexpr std::size_t continuity = 3, degree = 2 * continuity + 1;
+  std::vector<double> weights(link_points(continuity));
+  for (const bool last : {false, true}) {
+    const Series own = composed(last ? after : before, inverse_change(last ? shape.after : shape.before));
+    std::array<double, spline_orders> from_end;
+    for (std::size_t n = 0; n < spline_orders; ++n) from_end[n] = (last && n % 2 == 1 ? -1 : 1) * own.derivative(n);
+    for (std::size_t i = 0; i <= continuity; ++i) weights[last ? degree - i : i] = end_point(from_end, degree, i);
+  }
+  return weights;
+}
+
 TEST(Link, InheritedWeightsContinueTheHomogeneousCurve) {  // [Herrmann (4.57)]
   const auto arc = spline_arc({50, 0, 0, 0, 0}, {}, {0, 0, 1}, 1.2).front();
   const auto line = BezierPiece::line({0, 90, 20, 0, 0}, {-30, 90, 40, 0, 0});
   LinkShape shape{{1.2, 0.3, -0.5, 0}, {0.9, 0.1, 0.2, 0}, {}};
   const auto jet = arc.homogeneous_at(1);
-  shape.weights = inherited_weights(3, {jet[0][5], jet[1][5], jet[2][5], jet[3][5], jet[4][5]}, {1}, shape);
+  const Series weight = Series::from(jet[0][5], jet[1][5], jet[2][5], jet[3][5], jet[4][5]);
+  shape.weights = inherited_weights(weight, 1, shape);
   const auto piece = link(3, {arc.at(1), line.at(0)}, shape);
   // F(n, β, link) of all homogeneous coordinates is the neighbour's derivative (4.49).
   const auto link_jet = piece.homogeneous_at(0);
@@ -114,11 +130,11 @@ TEST(Link, InheritedWeightsContinueTheHomogeneousCurve) {  // [Herrmann (4.57)]
   }
   // They follow β, as far as below zero.
   const LinkShape bent{{0.3, 0.3, 8, 0}, {1, 0, 0, 0}, {}};
-  const auto negative = inherited_weights(3, {jet[0][5], jet[1][5], jet[2][5], jet[3][5], jet[4][5]}, {1}, bent);
+  const auto negative = inherited_weights(weight, 1, bent);
   EXPECT_LT(negative[3], 0);
   EXPECT_THROW(link(3, {arc.at(1), line.at(0)}, {bent.before, bent.after, negative}), std::invalid_argument);
   // Of two lines they are 1.
-  for (const double w : inherited_weights(3, {1}, {1}, shape)) EXPECT_NEAR(w, 1, 1e-12);
+  for (const double w : inherited_weights(1, 1, shape)) EXPECT_NEAR(w, 1, 1e-12);
 }
 
 TEST(Link, GradientsByBetaAreThoseOfDifferences) {

@@ -6,7 +6,7 @@
 #include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
 #include "tests/core/motion/same_bits.hpp"
-#include "tests/core/motion/two_axes.hpp"
+#include "tests/support/machines.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/base/progress.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/motion/sheet.hpp"
-#include "tests/core/motion/two_axes.hpp"
+#include "tests/support/machines.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -11,6 +11,7 @@
 #include "tests/core/check_names.hpp"
 #include "tests/core/motion/reference/jerk_curves.hpp"
 #include "tests/core/motion/same_bits.hpp"
+#include "tests/support/machines.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -18,9 +19,7 @@ namespace {
 constexpr double converged = 1e-3;  // relative: by what the planner's duration may miss the optimum
 
 Machine machine(double jerk, double acceleration = 16000, double velocity = 1800) {
-  Machine m;
-  m.axes = {{"x", velocity, acceleration, jerk}, {"y", velocity, acceleration, jerk}};
-  return m;
+  return testing::equal_axes(2, velocity, acceleration, jerk);
 }
 
 /// Plans, and has the verifier look at every limit.

@@ -9,7 +9,7 @@
 #include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
-#include "tests/core/motion/two_axes.hpp"
+#include "tests/support/machines.hpp"
 
 namespace bahnwerk {
 namespace {

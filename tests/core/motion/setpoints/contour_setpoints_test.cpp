@@ -7,16 +7,12 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/law/block_times.hpp"
 #include "slowed.hpp"
+#include "tests/support/machines.hpp"
 
 namespace bahnwerk {
 namespace {
 
-Machine machine(std::size_t axes = 2) {
-  Machine m;
-  for (const char* name : {"x", "y", "z"})
-    if (m.axes.size() < axes) m.axes.push_back({name, 1800, 16000, unlimited});
-  return m;
-}
+Machine machine(std::size_t axes = 2) { return testing::equal_axes(axes, 1800, 16000); }
 
 using test::slowed;
 

@@ -117,6 +117,17 @@ TEST(Clearance, PivotShiftOpensTheSlotsSides) {
   EXPECT_GT(better, 5) << "places that only the shift makes accessible";
 }
 
+/// The fixed pieces with straight moves between them, on which tip and angles are linear, too.
+std::vector<NeedleMove> straight_links(const std::vector<FixedPiece>& pieces) {
+  std::vector<NeedleMove> moves;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i > 0) moves.push_back({pieces[i - 1].end.pose, pieces[i].begin.pose});
+    moves.push_back(
+        {pieces[i].begin.pose, pieces[i].end.pose, pieces[i].shape == FixedPiece::Shape::arc, pieces[i].sweep});
+  }
+  return moves;
+}
+
 TEST(Clearance, AsksProgressAndStopsForAWholeCoil) {
   const StatorPart part;
   const Slot slot = checked_slot(part);

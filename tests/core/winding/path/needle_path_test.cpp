@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/base/errors.hpp"
@@ -149,6 +151,62 @@ TEST(NeedlePath, RefusesWhatIsNoPath) {
   pieces[1].end = pieces[1].begin;
   EXPECT_THROW(needle_path(pieces, false, {}, progress), Infeasible);
   EXPECT_TRUE(needle_path({}, false, {}, progress).pieces.empty());
+}
+
+/// Whether the ends of one link are those of the other turned about the part's axis, or mirrored by a plane through it.
+bool congruent(const LinkEnds& a, const LinkEnds& b) {
+  for (const double hand : {1.0, -1.0}) {
+    const double turn = std::atan2(b.before[0][1], b.before[0][0]) - hand * std::atan2(a.before[0][1], a.before[0][0]);
+    const auto off = [&](const SplineJet& x, const SplineJet& y) {
+      double worst = 0;
+      for (std::size_t j = 0; j <= 3; ++j) {
+        const double c = std::cos(turn), s = std::sin(turn), u = x[j][0], v = hand * x[j][1];
+        worst = std::max(
+            {worst, std::abs(c * u - s * v - y[j][0]), std::abs(s * u + c * v - y[j][1]), std::abs(x[j][2] - y[j][2])});
+      }
+      return worst;
+    };
+    if (std::max(off(a.before, b.before), off(a.after, b.after)) < 1e-7) return true;
+  }
+  return false;
+}
+
+/// Links at the same place of a turn whose shapes are equal to the last bit, and those of them whose ends are
+/// congruent.
+std::pair<std::size_t, std::size_t> equal_links_of_coils(const std::vector<FixedPiece>& pieces) {
+  const NeedlePath path = planned(pieces, false);
+  const auto place_of = [&](const NeedleLink& link) {
+    return std::tuple(pieces[link.from].kind, pieces[link.from].region, pieces[link.from + 1].kind);
+  };
+  std::size_t equal = 0, congruent_ones = 0;
+  for (std::size_t i = 0; i < path.links.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const NeedleLink &known = path.links[j], &link = path.links[i];
+      if (place_of(known) != place_of(link)) continue;
+      const bool same =
+          known.best.shape.before == link.best.shape.before && known.best.shape.after == link.best.shape.after;
+      const bool alike = congruent(known.ends, link.ends);
+      if (alike) {
+        EXPECT_TRUE(same) << i << ' ' << j;
+      }
+      if (pieces[known.from].coil != pieces[link.from].coil) equal += same, congruent_ones += alike;
+    }
+  return {equal, congruent_ones};
+}
+
+TEST(NeedlePath, CongruentLinksOfRepeatedCoilsAreTheSame) {
+  constexpr std::size_t turns = 4, coils = 3;
+  const auto [equal, congruent_ones] = equal_links_of_coils(rotor_pieces(turns, coils));
+  EXPECT_EQ(equal, congruent_ones);
+  EXPECT_GE(equal, turns);
+}
+
+// Each end, and each derivative there, counts: a nanometre is enough for a link of its own.
+TEST(NeedlePath, LinksOfCoilsThatAreAlmostCongruentAreNotTheSame) {
+  auto pieces = rotor_pieces(2, 2);
+  for (FixedPiece& piece : pieces)
+    if (piece.coil == 1) piece.end.pose.tip.z += 1e-6;
+  EXPECT_EQ(equal_links_of_coils(pieces).first, 0u);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/progress.hpp"
-#include "core/cam/optimal/extrema.hpp"
+#include "core/cam/optimal/task/extrema.hpp"
 #include "tests/core/cam/optimal/laws.hpp"
 
 namespace bahnwerk::cam {
