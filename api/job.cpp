@@ -213,6 +213,7 @@ ordered_json job_resource(const Job& job) {
   resource["created_at"] = rfc3339(job.created_at);
   resource["started_at"] = nullable_time(job.started_at);
   resource["finished_at"] = nullable_time(job.finished_at);
+  resource["planned_by"] = nullable(job.planned_by);
   resource["error"] = job.error ? ordered_json::parse(*job.error) : ordered_json(nullptr);
   auto& links = resource["links"] = {{"self", self}};
   for (const char* part : {"spec", "events", "result", "setpoints", "cancel"}) links[part] = self + "/" + part;

@@ -85,9 +85,10 @@ struct Job {
   std::int64_t token = 0;
   std::int64_t created_at = 0;
   std::optional<std::int64_t> started_at, finished_at;
-  std::optional<std::string> error;  ///< problem document, JSON text
-  Delivery delivery;                 ///< state of the request's callback
-  std::uint64_t revision = 0;        ///< grows with every change; the ETag
+  std::optional<std::string> error;       ///< problem document, JSON text
+  std::optional<std::string> planned_by;  ///< version of the program whose attempt has ended the job
+  Delivery delivery;                      ///< state of the request's callback
+  std::uint64_t revision = 0;             ///< grows with every change; the ETag
   /// The revision at which the job entered its state, if known, else 0; later revisions up to `revision` were progress
   /// only.
   std::uint64_t state_revision = 0;

@@ -18,7 +18,7 @@ std::string prepared_path(const std::string& url);
 /// How a process uses a store, beside others where these share it.
 struct SharedStoreOptions {
   bool migrate = true;          ///< whether an older schema is brought up to date, or refused
-  std::string planned_by = {};  ///< version of the program, which results keep
+  std::string planned_by = {};  ///< version of the program, which jobs keep that it has ended
   std::size_t connections = 8;  ///< most connections to its server
   bool signals = true;          ///< whether processes tell each other of changes, beside polling
   bool pooled = false;          ///< whether a pooler gives each transaction another session of the server

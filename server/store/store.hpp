@@ -50,7 +50,9 @@ class Store : public ChangeSource {
   virtual void ping() = 0;  ///< a real query; throws StoreError, also when there is no space for another job
 
   // Attempts: from claim to one of end, succeed, requeue. Each of these changes nothing and returns false when the job
-  // is not running any more, or runs another attempt.
+  // is not running any more, or runs another attempt. Where a call of the same attempt has already ended the job in the
+  // same state, end and succeed change nothing and return true: a caller whose answer was lost calls again. Any of
+  // these calls, or a heartbeat, of an attempt that was lost shows that its worker lives: the loss counts no longer.
 
   /// Claims the next job: highest priority, then first come; it becomes `running`, and its attempt number and its
   /// token increase by one. No job is given to two callers. Jobs that need planners of a later version are left.

@@ -112,7 +112,8 @@ struct Attempt {
 
 /// A job whose attempts were lost this often (the process died, or its lease ran out) while the process ran no other
 /// job is not tried again: it ends as worker-lost. Where several ran, nobody knows which one is to blame: each of them
-/// is a suspect, and suspects are planned alone.
+/// is a suspect, and suspects are planned alone. A worker that was paused beyond its lease cannot be told from one that
+/// died until it goes on; the loss counts until then.
 inline constexpr int max_losses_alone = 3;
 
 /// The end of an attempt. `revision` is the last one shown to clients while it ran.

@@ -204,7 +204,7 @@ TEST(JobResource, HasTheMembersOfTheContractInOrder) {
       R"({"id":"0190b6a4-0000-7000-8000-000000000001","kind":"contour","name":"bracket","reference":null,"priority":0,"deadline":null,)"
       R"("time_budget":null,"tags":[],"callback":null,"state":"queued",)"
       R"("progress":{"fraction":0.0,"stage":"","message":"","remaining":null},"queue":null,"attempt":0,"created_at":"2026-01-31T12:00:00.000Z","started_at":null,)"
-      R"("finished_at":null,"error":null,"links":{"self":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001",)"
+      R"("finished_at":null,"planned_by":null,"error":null,"links":{"self":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001",)"
       R"("spec":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001/spec",)"
       R"("events":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001/events",)"
       R"("result":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001/result",)"
@@ -224,6 +224,7 @@ TEST(JobResource, ShowsWhatIsKnown) {
   job.started_at = 1769860801000;
   job.finished_at = 1769860802500;
   job.error = Problem("infeasible", "no way").document().dump();
+  job.planned_by = "1.2.3";
   const auto resource = job_resource(job);
   EXPECT_FALSE(resource.contains("spec"));  // it may have megabytes
   EXPECT_EQ(resource["deadline"], "2026-01-31T12:00:00.000Z");
@@ -231,6 +232,7 @@ TEST(JobResource, ShowsWhatIsKnown) {
   EXPECT_EQ(resource["state"], "failed");
   EXPECT_EQ(resource["finished_at"], "2026-01-31T12:00:02.500Z");
   EXPECT_EQ(resource["error"]["type"], "/problems/infeasible");
+  EXPECT_EQ(resource["planned_by"], "1.2.3");
   EXPECT_EQ(resource["tags"], nlohmann::ordered_json::array({"x"}));
   EXPECT_EQ(resource["callback"].dump(), R"({"url":"http://a/b","attempts":3,"delivered_at":null,)"
                                          R"("next_at":"2026-01-31T12:00:01.000Z","error":"answered 500"})");

@@ -9,7 +9,7 @@ expect_header X-Request-Id contract-1
 expect_header Location "/v1/jobs/$id"
 expect_json '.id | test("^[0-9a-f]{8}-[0-9a-f]{4}-7[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$")'
 expect_json '.kind == "contour" and .error == null and .deadline == null and .callback == null
-  and (.state == "queued" or .state == "running" or .state == "succeeded")
+  and (.state == "queued" or .state == "running" or .state == "succeeded") and has("planned_by")
   and (.created_at | test("^[0-9-]{10}T[0-9:]{8}\\.[0-9]{3}Z$")) and (.links.self == "/v1/jobs/" + .id)'
 expect_json '(has("spec") | not) and .name == $document[0].name' --slurpfile document "$examples/bracket.json"
 request GET "/v1/jobs/$id/spec"
@@ -18,6 +18,7 @@ cmp "$work/body" "$examples/bracket.json" || fail "the document as posted"
 
 await succeeded
 expect_json '.progress.fraction == 1 and .attempt == 1 and .started_at >= .created_at and .finished_at >= .started_at'
+expect_json '.planned_by == $version' --arg version "$("$bahnwerk" --version | cut -d' ' -f2)"
 
 request GET "/v1/jobs/$id/result"
 expect_status 200

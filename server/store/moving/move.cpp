@@ -66,7 +66,7 @@ class Digests final : public MovedContent {
     add("its result", result.document,
         result.columns.value_or("-") + ' ' + std::to_string(result.row_count) + ' ' +
             std::to_string(result.chunk_rows) + ' ' + nlohmann::json(result.cycle_time).dump() + ' ' +
-            std::to_string(result.views) + ' ' + result.planned_by);
+            std::to_string(result.views));
     unpack("its result", [&] { unpack_text(result.document); });
     result_ = true;
     if (!result.columns) return;

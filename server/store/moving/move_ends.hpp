@@ -20,7 +20,6 @@ struct MovedResult {
   std::int64_t row_count = 0, chunk_rows = 0;
   double cycle_time = 0;
   std::int64_t views = 0;
-  std::string planned_by = {};  ///< version of the program that planned; empty: unknown
 };
 
 /// Receives what belongs to a job, in this order, each as it is stored. Views of bytes are valid during the call.

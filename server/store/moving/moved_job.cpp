@@ -58,7 +58,7 @@ std::string record_of(const MovedJob& job) {
          << job.stage << job.message << job.attempt << job.token << job.losses << std::int64_t{job.suspect}
          << std::int64_t{job.cancel_requested} << job.created_at << job.started_at << job.finished_at << job.error
          << job.revision << job.callback << job.callback_secret << job.callback_receiver << job.callback_attempts
-         << job.callback_due << job.callback_delivered << job.callback_error << job.needs;
+         << job.callback_due << job.callback_delivered << job.callback_error << job.needs << job.planned_by;
   for (const auto& [key, hash] : job.idempotency_keys) record << key << hash;
   return record.take();
 }

@@ -25,7 +25,7 @@ struct MovedJob {
   bool suspect = false, cancel_requested = false;
   std::int64_t created_at = 0;
   std::optional<std::int64_t> started_at, finished_at;
-  std::optional<std::string> error;
+  std::optional<std::string> error, planned_by;
   std::int64_t revision = 1;
   std::optional<std::string> callback, callback_secret, callback_receiver;
   std::int64_t callback_attempts = 0;

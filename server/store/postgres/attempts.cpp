@@ -62,19 +62,20 @@ std::string call_name() {
 }
 
 /// $1 id, $2 state, $3 token, $4 next state, $5 time, $6 revision seen, $7 leap, $8 cancellation, $9 error, $10 name of
-/// the call, $11 result, $12 version of the program.
+/// the call, $11 result, $12 version of the program, both of a call alone.
 const std::string& end_statement() {
   static const std::string sql =
       std::string(
           "WITH job AS (UPDATE jobs SET state = $4, error = $9, finished_at = $5, ended_by = $10, "
-          "revision = greatest(jobs.revision, r.revision, $6) + $7, fraction = coalesce(r.fraction, jobs.fraction), "
+          "planned_by = $12, revision = greatest(jobs.revision, r.revision, $6) + $7, fraction = coalesce(r.fraction, "
+          "jobs.fraction), "
           "stage = coalesce(r.stage, jobs.stage), message = coalesce(r.message, jobs.message), "
           "callback_due = CASE WHEN callback_receiver IS NOT NULL THEN $5 END ")
           .append(fence)
           .append(
               "RETURNING jobs.id, jobs.owner, jobs.token, started_at, finished_at), "
-              "result AS (INSERT INTO results (id, token, document, planned_by) SELECT id, token, $11, $12 FROM job "
-              "WHERE $11 IS NOT NULL), "
+              "result AS (INSERT INTO results (id, token, document) SELECT id, token, $11 FROM job WHERE $11 IS NOT "
+              "NULL), "
               "left_over AS (INSERT INTO leftovers (id, token) SELECT id, token FROM job WHERE $2 = 'running' "
               "ON CONFLICT DO NOTHING), "
               "spent AS (INSERT INTO planning_use (owner, day, ms) SELECT owner, floor(extract(epoch FROM finished_at) "
@@ -85,13 +86,15 @@ const std::string& end_statement() {
   return sql;
 }
 
-/// $1 to $8 as in end_statement(), where $5 is the number of attempts that are not counted; $9 losses.
+/// $1 to $8 as in end_statement(), where $5 is the number of attempts that are not counted; $9 losses, more than before
+/// if that of this attempt counts.
 const std::string& queue_statement() {
   static const std::string sql =
       std::string(
           "WITH job AS (UPDATE jobs SET state = $4, error = NULL, started_at = NULL, attempt = attempt - $5::int, "
           "fraction = 0, stage = '', message = '', revision = greatest(jobs.revision, r.revision, $6) + $7, "
-          "suspect = jobs.suspect OR $9 IS NOT NULL, losses = coalesce($9, losses) ")
+          "suspect = jobs.suspect OR $9 IS NOT NULL, losses = coalesce($9, losses), "
+          "lost_tokens = CASE WHEN $9 > losses THEN array_append(lost_tokens, jobs.token) ELSE lost_tokens END ")
           .append(fence)
           .append(
               "RETURNING jobs.id, jobs.owner, jobs.token), "
@@ -123,28 +126,28 @@ PostgresStatement PostgresStore::statement_of(const Step& step) {
   return {queued ? queue_statement() : end_statement(), std::move(values)};
 }
 
-/// Makes the step in a transaction of its own; returns false, without a change, if the job is in another state or
-/// attempt. Where its answer was lost it is asked for again, by the name of the call.
-bool PostgresStore::leave(const Step& step) {
-  bool lost = false;
-  for (int attempt = 1;; ++attempt) {
-    try {
-      const bool left = writing([&](PostgresConnection& connection) {
-        if (connection.run_all({statement_of(step)}).at(0).integer(0, 0) == 1) return true;
-        return lost && step.ended_by &&
-               !connection
-                    .run("SELECT 1 FROM jobs WHERE id = $1 AND ended_by = $2",
-                         PostgresParameters().uuid(step.id).uuid(step.ended_by))
-                    .empty();
-      });
-      if (step.token) forget({step.id, *step.token});
-      if (left) publish({{.id = step.id, .state = step.to.state}});
-      return left;
-    } catch (const StoreAway&) {
-      if (!step.ended_by || attempt == 3) throw;
-      lost = true;
-    }
+/// Fence: token and state; only a call of the attempt itself names itself in `ended_by`.
+bool PostgresStore::ended(PostgresConnection& connection, const Attempt& attempt, JobState state) {
+  PostgresParameters values;
+  values.uuid(attempt.id) << attempt.token << api::to_string(state);
+  return !connection
+              .run("SELECT 1 FROM jobs WHERE id = $1 AND token = $2 AND state = $3 AND ended_by IS NOT NULL", values)
+              .empty();
+}
+
+/// Fence: the token, which is counted once. READ COMMITTED. A job that has ended stays as it is.
+void PostgresStore::take_back_losses(PostgresConnection& connection, const std::vector<Attempt>& attempts) {
+  std::vector<std::string> ids;
+  std::vector<std::int64_t> tokens;
+  for (const Attempt& attempt : attempts) {
+    ids.push_back(attempt.id);
+    tokens.push_back(attempt.token);
   }
+  connection.run(
+      "UPDATE jobs SET losses = losses - 1, lost_tokens = array_remove(lost_tokens, lived.token) FROM unnest($1, $2) "
+      "AS lived (id, token) WHERE jobs.id = lived.id AND lived.token = ANY (lost_tokens) AND state IN ('queued', "
+      "'running')",
+      PostgresParameters().uuids(ids).integers(tokens));
 }
 
 std::optional<api::Job> PostgresStore::claim(const Lease& lease) {
@@ -268,22 +271,36 @@ std::vector<Held> PostgresStore::heartbeat(const Lease& lease, const std::vector
                       static_cast<std::uint64_t>(rows[1].integer(row, 2)),
                       rows[1].flag(row, 3)});
   });
+  std::vector<Attempt> lost;
   for (const Progressed& p : attempts)
     if (std::none_of(held.begin(), held.end(), [&](const Held& each) { return each.attempt == p.attempt; }))
-      forget(p.attempt);
+      lost.push_back(p.attempt);
+  for (const Attempt& attempt : lost) forget(attempt);
+  if (!lost.empty())
+    with_connection_of(leases_, true, [&](PostgresConnection& connection) { take_back_losses(connection, lost); });
   return held;
 }
 
+/// Repeated, also where an answer was lost, it finds what it has done.
 bool PostgresStore::end(const Attempt& attempt, const Ending& ending) {
-  return leave({.id = attempt.id,
-                .from = JobState::running,
-                .token = attempt.token,
-                .to = {ending.state, ending.error},
-                .now = ending.now,
-                .seen = ending.revision,
-                .ended_by = call_name(),
-                .result = ending.result.empty() ? std::nullopt : std::optional(pack_text(ending.result)),
-                .planned_by = options_.planned_by});
+  const Step step{.id = attempt.id,
+                  .from = JobState::running,
+                  .token = attempt.token,
+                  .to = {ending.state, ending.error},
+                  .now = ending.now,
+                  .seen = ending.revision,
+                  .ended_by = call_name(),
+                  .result = ending.result.empty() ? std::nullopt : std::optional(pack_text(ending.result)),
+                  .planned_by = options_.planned_by};
+  const bool done = with_connection(true, [&](PostgresConnection& connection) {
+    if (connection.run_all({statement_of(step)}).at(0).integer(0, 0) == 1) return true;
+    if (ended(connection, attempt, ending.state)) return true;
+    take_back_losses(connection, {attempt});
+    return false;
+  });
+  forget(attempt);
+  if (done) publish({{.id = attempt.id, .state = ending.state}});
+  return done;
 }
 
 /// Which of the two steps is made is decided under the lock of the job's row: a cancellation comes before it or after.
@@ -308,6 +325,7 @@ bool PostgresStore::requeue(const Attempt& attempt, std::int64_t now, std::uint6
     publish({{.id = attempt.id, .state = fates[k].state}});
     return true;
   }
+  with_connection(true, [&](PostgresConnection& connection) { take_back_losses(connection, {attempt}); });
   return false;
 }
 

@@ -29,6 +29,7 @@ api::Job job_from(const PostgresRows& rows, std::size_t row) {
                   rows.optional_text(row, 22)};
   if (!rows.null(row, 23)) job.request.tags = rows.texts(row, 23);
   job.token = rows.integer(row, 24);
+  job.planned_by = rows.optional_text(row, 26);
   // Progress is stored beside the job's row, which changes with its state alone, or with its callback.
   job.state_revision =
       job.state == api::JobState::running ? static_cast<std::uint64_t>(rows.integer(row, 25)) : job.revision;

@@ -24,7 +24,7 @@ constexpr std::string_view moved_columns =
     "coalesce(r.fraction, j.fraction), coalesce(r.stage, j.stage), coalesce(r.message, j.message), j.attempt, j.token, "
     "j.losses, j.suspect, j.cancel_requested, j.created_at, j.started_at, j.finished_at, j.error, "
     "greatest(j.revision, r.revision), j.callback, j.callback_secret, j.callback_receiver, j.callback_attempts, "
-    "j.callback_due, j.callback_delivered, j.callback_error, j.needs";
+    "j.callback_due, j.callback_delivered, j.callback_error, j.needs, j.planned_by";
 
 MovedJob job_of(const PostgresRows& rows, std::size_t row) {
   MovedJob job;
@@ -69,6 +69,7 @@ MovedJob job_of(const PostgresRows& rows, std::size_t row) {
   job.callback_delivered = maybe_time();
   job.callback_error = maybe_text();
   job.needs = integer();
+  job.planned_by = maybe_text();
   return job;
 }
 
@@ -122,8 +123,7 @@ void read_content(PostgresConnection& connection, const MovedJob& job, MovedCont
   id.uuid(job.id);
   const auto rows = connection.run_all_lengthy(
       {{"SELECT document, checked FROM specs WHERE id = $1", id},
-       {"SELECT document, columns, row_count, chunk_rows, cycle_time, views, planned_by FROM results WHERE id = $1",
-        id},
+       {"SELECT document, columns, row_count, chunk_rows, cycle_time, views FROM results WHERE id = $1", id},
        chunks_after(job.id, -1),
        views_after(job.id, "", -1)});
   if (!rows[0].empty()) to.document(rows[0].bytes(0, 0), rows[0].flag(0, 1));
@@ -133,8 +133,7 @@ void read_content(PostgresConnection& connection, const MovedJob& job, MovedCont
              .row_count = rows[1].integer(0, 2),
              .chunk_rows = rows[1].integer(0, 3),
              .cycle_time = rows[1].number(0, 4),
-             .views = rows[1].integer(0, 5),
-             .planned_by = rows[1].text(0, 6)});
+             .views = rows[1].integer(0, 5)});
   for (PostgresRows chunks = rows[2]; !chunks.empty();) {
     for (std::size_t row = 0; row < chunks.size(); ++row)
       to.chunk(chunks.integer(row, 0), chunks.integer(row, 1), chunks.bytes(row, 2));
@@ -243,7 +242,7 @@ class PostgresMoveTarget final : public MoveTarget {
     const auto keep = [](std::string& text) { text = server::storable(text); };
     for (std::string* const text : {&job.kind, &job.stage, &job.message}) keep(*text);
     for (auto* const text : {&job.name, &job.reference, &job.owner, &job.error, &job.callback, &job.callback_secret,
-                             &job.callback_receiver, &job.callback_error})
+                             &job.callback_receiver, &job.callback_error, &job.planned_by})
       if (*text) keep(**text);
     for (std::string& tag : job.tags) keep(tag);
     for (auto& [key, hash] : job.idempotency_keys) keep(key);
@@ -292,11 +291,10 @@ class PostgresMoveTarget final : public MoveTarget {
     PostgresParameters values;
     values.uuid(id_) << token_;
     values.bytes(held(result.document)) << result.columns << result.row_count << result.chunk_rows << result.cycle_time
-                                        << result.views << result.planned_by;
+                                        << result.views;
     add_statement(
-        "INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views, planned_by) "
-        "VALUES "
-        "($1, $2, $3, $4, $5, $6, $7, $8, $9)",
+        "INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views) VALUES "
+        "($1, $2, $3, $4, $5, $6, $7, $8)",
         std::move(values));
   }
   void chunk(std::int64_t first_row, std::int64_t row_count, std::string_view packed) override {
@@ -322,13 +320,15 @@ class PostgresMoveTarget final : public MoveTarget {
     values.time(job.created_at).time(job.started_at).time(job.finished_at)
         << job.error << job.revision << job.callback << job.callback_secret << job.callback_receiver
         << job.callback_attempts;
-    values.time(job.callback_due).time(job.callback_delivered) << job.callback_error << job.needs;
+    values.time(job.callback_due).time(job.callback_delivered) << job.callback_error << job.needs << job.planned_by;
     add_statement(
         "WITH job AS (INSERT INTO jobs (id, kind, name, reference, owner, tags, rank, turn, deadline, time_budget, "
         "state, fraction, stage, message, attempt, token, losses, suspect, cancel_requested, created_at, started_at, "
         "finished_at, error, revision, callback, callback_secret, callback_receiver, callback_attempts, callback_due, "
-        "callback_delivered, callback_error, needs) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13, "
-        "$14, $15, $16, $17, $18, $19, $20, $21, $22, $23, $24, $25, $26, $27, $28, $29, $30, $31, $32) RETURNING id, "
+        "callback_delivered, callback_error, needs, planned_by) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, "
+        "$12, $13, "
+        "$14, $15, $16, $17, $18, $19, $20, $21, $22, $23, $24, $25, $26, $27, $28, $29, $30, $31, $32, $33) RETURNING "
+        "id, "
         "owner, tags) INSERT INTO job_tags (owner, tag, id) SELECT who.owner, tag, job.id FROM job, unnest(job.tags) "
         "AS tag, LATERAL (SELECT '' AS owner UNION SELECT job.owner WHERE job.owner IS NOT NULL) AS who",
         std::move(values));

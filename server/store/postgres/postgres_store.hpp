@@ -46,7 +46,7 @@ struct PostgresOptions {
   /// Called, from any thread, with the jobs whose attempt a claim has found lost; expire() returns those that it finds.
   std::function<void(const std::vector<std::string>&)> lost = [](const std::vector<std::string>&) {};
   bool migrate = true;          ///< whether an older schema is brought up to date and partitions are made, or refused
-  std::string planned_by = {};  ///< version of the program, which results keep
+  std::string planned_by = {};  ///< version of the program, which jobs keep that it has ended
   int engine = api::engine_level;  ///< jobs that need a higher one are left to others
   /// Whether leases and deadlines are measured by the times that callers give, for tests. Otherwise the database's
   /// clock is the one of all processes.
@@ -120,13 +120,13 @@ class PostgresStore final : public Store {
     std::optional<bool> cancel_requested = {};  ///< what it is conditional on, too
     Fate to;
     std::int64_t now = 0;
-    std::uint64_t seen = 0;                    ///< last revision that clients were shown
-    std::int64_t leap = 1;                     ///< increase of the revision
-    std::int64_t not_made = 0;                 ///< attempts that are not counted
-    std::optional<std::int64_t> losses = {};   ///< losses after a lost attempt
-    std::optional<std::string> ended_by = {};  ///< name of the call
-    std::optional<std::string> result = {};    ///< packed result document
-    std::string planned_by = {};               ///< version of the program that made it
+    std::uint64_t seen = 0;                      ///< last revision that clients were shown
+    std::int64_t leap = 1;                       ///< increase of the revision
+    std::int64_t not_made = 0;                   ///< attempts that are not counted
+    std::optional<std::int64_t> losses = {};     ///< losses after a lost attempt
+    std::optional<std::string> ended_by = {};    ///< name of the call
+    std::optional<std::string> result = {};      ///< packed result document
+    std::optional<std::string> planned_by = {};  ///< version of the program that planned
   };
 
   /// Calls `work` with a connection. It is called again where two transactions were in each other's way, or, if `again`
@@ -169,7 +169,10 @@ class PostgresStore final : public Store {
 
   static PostgresStatement statement_of(const Step& step);
   static PostgresStatement lock_of(const std::string& id);
-  bool leave(const Step& step);
+  /// Returns whether a call of the attempt has ended its job in that state.
+  static bool ended(PostgresConnection& connection, const Attempt& attempt, api::JobState state);
+  /// Takes back the losses of attempts whose workers live, where they count.
+  static void take_back_losses(PostgresConnection& connection, const std::vector<Attempt>& attempts);
   static Statements cancel_of(const std::string& id, std::int64_t now);
   static PostgresStatement removal_of(const std::string& id);
   void store_piece(Statements& statements, const Attempt& attempt, const SeriesPiece& piece) const;

@@ -26,13 +26,12 @@ constexpr auto insert_view =
 /// columns, $8 rows, $9 rows per chunk, $10 cycle time, $11 version of the views, $12 of the program.
 constexpr auto succeed_statement =
     "WITH job AS (UPDATE jobs SET state = 'succeeded', fraction = 1, stage = 'done', message = '', finished_at = $3, "
-    "ended_by = $5, revision = greatest(jobs.revision, r.revision, $4) + 1, "
+    "ended_by = $5, planned_by = $12, revision = greatest(jobs.revision, r.revision, $4) + 1, "
     "callback_due = CASE WHEN callback_receiver IS NOT NULL THEN $3 END FROM runs AS r WHERE jobs.id = $1 AND "
     "state = 'running' AND jobs.token = $2 AND r.id = jobs.id RETURNING jobs.id, jobs.owner, jobs.token, started_at, "
     "finished_at), "
-    "result AS (INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views, "
-    "planned_by) "
-    "SELECT id, token, $6, $7, $8, $9, $10, $11, $12 FROM job), "
+    "result AS (INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views) "
+    "SELECT id, token, $6, $7, $8, $9, $10, $11 FROM job), "
     "spent AS (INSERT INTO planning_use (owner, day, ms) SELECT owner, floor(extract(epoch FROM finished_at) / "
     "86400)::bigint, greatest(0, (extract(epoch FROM finished_at - started_at) * 1000)::bigint) FROM job WHERE owner "
     "IS NOT NULL ON CONFLICT (owner) DO UPDATE SET ms = CASE WHEN planning_use.day = excluded.day THEN "
@@ -69,6 +68,17 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
                                                                             << attempt.token)
                 .empty();
   };
+  // The attempt is over: by an earlier call, or lost, and then this one shows that its worker lives.
+  const auto ended_before = [&] {
+    forget(attempt);
+    const bool stored = with_connection(true, [&](PostgresConnection& connection) {
+      if (ended(connection, attempt, api::JobState::succeeded)) return true;
+      take_back_losses(connection, {attempt});
+      return false;
+    });
+    if (stored) publish({{.id = attempt.id, .state = api::JobState::succeeded}});
+    return stored;
+  };
   SeriesPiece piece;
   if (source) {
     std::size_t first = 0;  // an earlier call may have been cut off
@@ -80,7 +90,7 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
       first = static_cast<std::size_t>(rows.integer(0, 0));
       return true;
     });
-    if (!held) return false;
+    if (!held) return ended_before();
     SeriesPacker packer(planned, first, progress);
     for (;;) {
       bool last = false;
@@ -92,7 +102,7 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
         connection.run_all_lengthy(statements);
         return running(connection);
       });
-      if (!stored) return false;
+      if (!stored) return ended_before();
     }
   }
   const std::string name = Uuid7().next(now);
@@ -105,18 +115,13 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
                                     << (source ? source->cycle_time() : 0.0)
                                     << std::int64_t{source ? api::views_version : 0} << options_.planned_by;
   statements.push_back({succeed_statement, std::move(values)});
-  bool asked = false;
   const bool stored = with_connection(true, [&](PostgresConnection& connection) {
-    if (std::exchange(asked, true) && !connection
-                                           .run("SELECT 1 FROM jobs WHERE id = $1 AND ended_by = $2",
-                                                PostgresParameters().uuid(attempt.id).uuid(name))
-                                           .empty())
-      return true;  // the answer was lost, not the result
     return connection.run_all_lengthy(statements).back().integer(0, 0) == 1;
   });
+  if (!stored) return ended_before();
   forget(attempt);
-  if (stored) publish({{.id = attempt.id, .state = api::JobState::succeeded}});
-  return stored;
+  publish({{.id = attempt.id, .state = api::JobState::succeeded}});
+  return true;
 }
 
 std::optional<std::string> PostgresStore::read_view(const SeriesInfo& series, std::string_view name, std::size_t part) {

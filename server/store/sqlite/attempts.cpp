@@ -79,6 +79,8 @@ std::vector<Held> SqliteStore::heartbeat(const Lease& lease, const std::vector<P
                  << p.attempt.id << p.attempt.token << lease.worker;
           if (update.step())
             held.push_back({p.attempt, static_cast<std::uint64_t>(update.integer(0)), update.integer(1) != 0});
+          else
+            take_back_loss(connection, p.attempt);
         }
       },
       Writer::row);
@@ -94,13 +96,15 @@ bool SqliteStore::end(const Attempt& attempt, const Ending& ending) {
                                 .token = attempt.token,
                                 .to = {ending.state, ending.error},
                                 .now = ending.now,
-                                .seen = ending.revision}))
+                                .seen = ending.revision,
+                                .planned_by = options_.planned_by})) {
+          if (ended(connection, attempt, ending.state)) return true;
+          take_back_loss(connection, attempt);
           return false;
+        }
         if (!document.empty()) {
-          Query result = connection.query(
-              "INSERT INTO results (seq, document, planned_by) SELECT seq, ?, ? FROM jobs WHERE id = ?");
-          result.blob(document);
-          (result << options_.planned_by << attempt.id).run();
+          Query result = connection.query("INSERT INTO results (seq, document) SELECT seq, ? FROM jobs WHERE id = ?");
+          (result.blob(document) << attempt.id).run();
         }
         return true;
       },
@@ -113,29 +117,48 @@ bool SqliteStore::requeue(const Attempt& attempt, std::int64_t now, std::uint64_
         Query asked = connection.query("SELECT cancel_requested FROM jobs WHERE id = ?");
         asked << attempt.id;
         const bool cancelled = asked.step() && asked.integer(0) != 0;
-        return leave(connection, {.id = attempt.id,
-                                  .from = api::JobState::running,
-                                  .token = attempt.token,
-                                  .to = after_requeue(attempt.id, cancelled),
-                                  .now = now,
-                                  .seen = revision,
-                                  .not_made = 1});
+        const bool left = leave(connection, {.id = attempt.id,
+                                             .from = api::JobState::running,
+                                             .token = attempt.token,
+                                             .to = after_requeue(attempt.id, cancelled),
+                                             .now = now,
+                                             .seen = revision,
+                                             .not_made = 1});
+        if (!left) take_back_loss(connection, attempt);
+        return left;
       },
       Writer::frees);
+}
+
+bool SqliteStore::ended(SqliteConnection& connection, const Attempt& attempt, api::JobState state) {
+  Query job = connection.query("SELECT 1 FROM jobs WHERE id = ? AND state = ? AND ended_by = ?");
+  job << attempt.id << api::to_string(state) << attempt.token;
+  return job.step();
+}
+
+/// A job that has ended stays as it is.
+void SqliteStore::take_back_loss(SqliteConnection& connection, const Attempt& attempt) {
+  (connection.query("UPDATE jobs SET losses = losses - 1, lost_tokens = (SELECT json_group_array(value) FROM "
+                    "json_each(lost_tokens) WHERE value <> ?2) WHERE id = ?1 AND ?2 IN (SELECT value FROM "
+                    "json_each(lost_tokens)) AND state IN ('queued', 'running')")
+   << attempt.id << attempt.token)
+      .run();
 }
 
 bool SqliteStore::leave(SqliteConnection& connection, const Step& step) {
   const std::int64_t change = changes_.next();
   const bool queued = step.to.state == api::JobState::queued;
   Query update = connection.query(
-      queued ? "UPDATE jobs SET state = ?, error = ?, started_at = NULL, attempt = attempt - ?, fraction = 0, "
-               "stage = '', message = '', revision = max(revision, ?) + ?, changed = ? "
-               "WHERE id = ? AND state = ? AND token = coalesce(?, token)"
-             : "UPDATE jobs SET state = ?, error = ?, finished_at = ?, revision = max(revision, ?) + ?, changed = ? "
-               "WHERE id = ? AND state = ? AND token = coalesce(?, token)");
+      queued ? "UPDATE jobs SET state = ?1, error = ?2, started_at = NULL, attempt = attempt - ?3, fraction = 0, "
+               "stage = '', message = '', revision = max(revision, ?4) + ?5, changed = ?6 "
+               "WHERE id = ?7 AND state = ?8 AND token = coalesce(?9, token)"
+             : "UPDATE jobs SET state = ?1, error = ?2, finished_at = ?3, revision = max(revision, ?4) + ?5, "
+               "changed = ?6, planned_by = ?10, ended_by = iif(?10 IS NULL, NULL, token) "
+               "WHERE id = ?7 AND state = ?8 AND token = coalesce(?9, token)");
   update << api::to_string(step.to.state) << (queued ? std::nullopt : std::optional(step.to.error))
          << (queued ? step.not_made : step.now) << static_cast<std::int64_t>(step.seen) << step.leap << change
          << step.id << api::to_string(step.from) << step.token;
+  if (!queued) update << step.planned_by;
   if (update.run() == 0) return false;
   if (step.from == api::JobState::running) leave_chunks(connection, step.id);
   changes_.note(change, step.id, step.to.state);

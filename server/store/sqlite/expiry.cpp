@@ -88,7 +88,10 @@ std::vector<std::string> SqliteStore::lose(SqliteConnection& connection, std::in
     ids.push_back(orphan.id);
     const Fate fate = after_loss(orphan.id, orphan.losses, orphan.cancelled);
     if (fate.state == api::JobState::queued)
-      (connection.query("UPDATE jobs SET suspect = 1, losses = ? WHERE id = ?") << orphan.losses << orphan.id).run();
+      (connection.query("UPDATE jobs SET suspect = 1, lost_tokens = iif(?1 > losses, json_insert(coalesce(lost_tokens, "
+                        "'[]'), '$[#]', token), lost_tokens), losses = ?1 WHERE id = ?2")
+       << orphan.losses << orphan.id)
+          .run();
     leave(connection, {.id = orphan.id, .from = api::JobState::running, .to = fate, .now = now, .leap = lost_leap});
   }
   return ids;

@@ -73,6 +73,7 @@ MovedJob job_of(const Query& row) {
   job.callback_delivered = maybe_integer();
   job.callback_error = maybe_text();
   job.needs = integer();
+  job.planned_by = maybe_text();
   return job;
 }
 
@@ -81,7 +82,7 @@ constexpr std::string_view moved_columns =
     "seq, id, kind, name, reference, owner, tags, priority, turn, deadline, time_budget, state, fraction, stage, "
     "message, attempt, token, losses, suspect, cancel_requested, created_at, started_at, finished_at, error, revision, "
     "callback, callback_secret, callback_receiver, callback_attempts, callback_due, callback_delivered, "
-    "callback_error, needs";
+    "callback_error, needs, planned_by";
 
 /// Idempotency keys of an owner stand behind the owner's name and a line feed.
 std::string owner_prefix(const MovedJob& job) { return job.owner ? *job.owner + "\n" : ""; }
@@ -121,7 +122,7 @@ void read_content(SqliteConnection& connection, const MovedJob& job, MovedConten
   }
   {
     Query row = connection.query(
-        "SELECT document, columns, row_count, chunk_rows, cycle_time, views, planned_by FROM results WHERE seq = ?");
+        "SELECT document, columns, row_count, chunk_rows, cycle_time, views FROM results WHERE seq = ?");
     row << job.key;
     if (!row.step()) return;
     to.result({.document = row.bytes(0),
@@ -129,8 +130,7 @@ void read_content(SqliteConnection& connection, const MovedJob& job, MovedConten
                .row_count = row.integer(2),
                .chunk_rows = row.integer(3),
                .cycle_time = row.number(4),
-               .views = row.integer(5),
-               .planned_by = row.text(6)});
+               .views = row.integer(5)});
     if (row.null(1)) return;
   }
   Query chunks = connection.query("SELECT first_row, row_count, data FROM chunks WHERE seq = ? ORDER BY first_row");
@@ -252,12 +252,10 @@ class SqliteMoveTarget final : public MoveTarget {
   void result(const MovedResult& result) override {
     transact();
     Query row = connection_.query(
-        "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views, planned_by) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+        "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?)");
     (row << seq_).blob(result.document);
-    (row << result.columns << result.row_count << result.chunk_rows << result.cycle_time << result.views
-         << result.planned_by)
-        .run();
+    (row << result.columns << result.row_count << result.chunk_rows << result.cycle_time << result.views).run();
   }
   void chunk(std::int64_t first_row, std::int64_t row_count, std::string_view packed) override {
     transact();
@@ -276,7 +274,7 @@ class SqliteMoveTarget final : public MoveTarget {
             .append(moved_columns)
             .append(
                 ", changed) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-                "?, ?, ?, ?, ?, ?, ?)");
+                "?, ?, ?, ?, ?, ?, ?, ?)");
     Query row = connection_.query(sql);
     row << seq_ << job.id << job.kind << job.name << job.reference << job.owner
         << (job.tags.empty() ? std::nullopt : std::optional(nlohmann::json(job.tags).dump())) << job.priority
@@ -284,7 +282,7 @@ class SqliteMoveTarget final : public MoveTarget {
         << job.message << job.attempt << job.token << job.losses << std::int64_t{job.suspect}
         << std::int64_t{job.cancel_requested} << job.created_at << job.started_at << job.finished_at << job.error
         << job.revision << job.callback << job.callback_secret << job.callback_receiver << job.callback_attempts
-        << job.callback_due << job.callback_delivered << job.callback_error << job.needs << changed_;
+        << job.callback_due << job.callback_delivered << job.callback_error << job.needs << job.planned_by << changed_;
     row.run();
     for (const auto& [key, hash] : job.idempotency_keys)
       (connection_.query("INSERT INTO idempotency_keys (key, body_hash, seq) VALUES (?, ?, ?)")

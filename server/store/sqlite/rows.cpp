@@ -34,6 +34,7 @@ api::Job job_from_row(const Query& row) {
                   row.optional_text(22)};
   if (!row.null(23)) job.request.tags = nlohmann::json::parse(row.text(23)).get<std::vector<std::string>>();
   job.token = row.integer(24);
+  job.planned_by = row.optional_text(25);
   if (job.state != api::JobState::running) job.state_revision = job.revision;
   return job;
 }

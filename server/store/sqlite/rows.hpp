@@ -12,8 +12,8 @@ namespace bahnwerk::server {
 inline constexpr const char* job_columns =
     "id, kind, name, reference, callback, priority, deadline, time_budget, state, fraction, stage, message, attempt, "
     "created_at, started_at, finished_at, error, revision, owner, callback_attempts, callback_due, callback_delivered, "
-    "callback_error, tags, token, seq";
-inline constexpr int job_seq_column = 25;
+    "callback_error, tags, token, planned_by, seq";
+inline constexpr int job_seq_column = 26;
 
 api::Job job_from_row(const Query& row);  ///< returns the job without its document
 

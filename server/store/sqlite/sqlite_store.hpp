@@ -29,7 +29,7 @@ struct SqliteOptions {
   std::size_t reserve = 0;  ///< bytes of disk set aside, so that a full disk can be emptied
   Retention retention = {};
   bool migrate = true;             ///< whether an older schema is brought up to date, or refused
-  std::string planned_by = {};     ///< version of the program, which results keep
+  std::string planned_by = {};     ///< version of the program, which jobs keep that it has ended
   int engine = api::engine_level;  ///< jobs that need a higher one are left in the queue
   Writer::Observer observer = [](double, std::size_t) {};
 };
@@ -96,12 +96,17 @@ class SqliteStore final : public Store {
     std::optional<std::int64_t> token = {};  ///< token of the attempt that the step is conditional on
     Fate to;
     std::int64_t now = 0;
-    std::uint64_t seen = 0;     ///< last revision that clients were shown
-    std::int64_t leap = 1;      ///< increase of the revision
-    std::int64_t not_made = 0;  ///< attempts that are not counted
+    std::uint64_t seen = 0;                      ///< last revision that clients were shown
+    std::int64_t leap = 1;                       ///< increase of the revision
+    std::int64_t not_made = 0;                   ///< attempts that are not counted
+    std::optional<std::string> planned_by = {};  ///< version of the program, where a call of the attempt ends the job
   };
   /// Makes the step within a transaction; returns false, without a change, if the job is in another state or attempt.
   bool leave(SqliteConnection& connection, const Step& step);
+  /// Returns whether a call of the attempt has ended its job in that state.
+  static bool ended(SqliteConnection& connection, const Attempt& attempt, api::JobState state);
+  /// Takes back the loss of an attempt whose worker lives, where it counts.
+  static void take_back_loss(SqliteConnection& connection, const Attempt& attempt);
   /// Cancels the job within a transaction; returns whether that changed it.
   bool cancel_one(SqliteConnection& connection, const std::string& id, std::int64_t now);
   struct Gone {

@@ -42,6 +42,13 @@ bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned
     return job.step() ? std::optional(job.integer(0)) : std::nullopt;
   };
 
+  // The attempt is over: by an earlier call, or lost, and then this one shows that its worker lives.
+  const auto ended_before = [&](SqliteConnection& connection) {
+    if (ended(connection, attempt, api::JobState::succeeded)) return true;
+    take_back_loss(connection, attempt);
+    return false;
+  };
+
   SeriesPiece piece;
   if (source) {
     std::size_t first = 0;
@@ -58,33 +65,39 @@ bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned
       bool last = false;
       piece = packer.next(last);
       if (last) break;  // the last piece is stored with the result
+      bool before = false;
       const bool stored = write_flag(
           [&](SqliteConnection& connection) {
             const auto seq = still_running(connection);
-            if (seq) insert_piece(connection, *seq, piece);
+            if (seq)
+              insert_piece(connection, *seq, piece);
+            else
+              before = ended_before(connection);
             return seq.has_value();
           },
           size_of(piece));
-      if (!stored) return false;
+      if (!stored) return before;
     }
   }
   const std::uint64_t revision = seen();
   return write_flag(
       [&](SqliteConnection& connection) {
         const auto seq = still_running(connection);
-        if (!seq) return false;
+        if (!seq) return ended_before(connection);
         const std::int64_t change = changes_.next();
-        (connection.query("UPDATE jobs SET state = 'succeeded', fraction = 1, stage = 'done', message = '', "
-                          "finished_at = ?, revision = max(revision, ?) + 1, changed = ? WHERE seq = ?")
-         << now << static_cast<std::int64_t>(revision) << change << *seq)
+        (connection.query(
+             "UPDATE jobs SET state = 'succeeded', fraction = 1, stage = 'done', message = '', "
+             "finished_at = ?, revision = max(revision, ?) + 1, changed = ?, ended_by = token, planned_by = ? "
+             "WHERE seq = ?")
+         << now << static_cast<std::int64_t>(revision) << change << options_.planned_by << *seq)
             .run();
         Query result = connection.query(
-            "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views, planned_by) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+            "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time, views) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?)");
         (result << *seq).blob(document);
         result << columns << static_cast<std::int64_t>(source ? source->count() : 0)
                << static_cast<std::int64_t>(series_chunk_rows) << (source ? source->cycle_time() : 0.0)
-               << std::int64_t{source ? api::views_version : 0} << options_.planned_by;
+               << std::int64_t{source ? api::views_version : 0};
         result.run();
         insert_piece(connection, *seq, piece);
         changes_.note(change, id, api::JobState::succeeded);

@@ -50,7 +50,6 @@ TYPED_TEST(Attempts, TakesAResultOnceAndFromTheRightAttempt) {
   EXPECT_FALSE(store->result(id));
   EXPECT_TRUE(store->succeed(
       {id, 1}, ramp_plan(10), 2, [] { return std::uint64_t{40}; }, this->silent));
-  EXPECT_FALSE(store->succeed({id, 1}, ramp_plan(99), 3, nothing_seen, this->silent)) << "twice";
   EXPECT_FALSE(store->end({id, 1}, {JobState::failed, "{}", 3, 0}));
   EXPECT_FALSE(store->requeue({id, 1}, 3, 0));
   const auto job = store->get(id);
@@ -59,6 +58,59 @@ TYPED_TEST(Attempts, TakesAResultOnceAndFromTheRightAttempt) {
   EXPECT_EQ(job->revision, 41U);
   EXPECT_EQ(store->result(id), R"({"kind":"ramp","rows":10})");
   EXPECT_EQ(store->series(id)->count, 10U);
+}
+
+TYPED_TEST(Attempts, EndOnceHoweverOftenTheirEndIsTold) {
+  auto& store = this->here;
+  const std::string succeeded = insert_id(*store), failed = insert_id(*store);
+  for (const std::string& id : {succeeded, failed}) EXPECT_EQ(claim(*store, 1, "a", 500)->id, id);
+  const Ending ending{JobState::failed, "{}", 2, 9};
+  EXPECT_TRUE(store->succeed({succeeded, 1}, ramp_plan(10), 2, nothing_seen, this->silent));
+  EXPECT_TRUE(store->end({failed, 1}, ending));
+  const auto revision = [&](const std::string& id) { return store->get(id)->revision; };
+  const auto first = revision(succeeded), second = revision(failed);
+  EXPECT_TRUE(store->succeed({succeeded, 1}, ramp_plan(10), 3, nothing_seen, this->silent));
+  EXPECT_TRUE(this->other->succeed({succeeded, 1}, ramp_plan(0), 3, nothing_seen, this->silent));
+  EXPECT_TRUE(this->other->end({failed, 1}, ending));
+  EXPECT_EQ(store->get(succeeded)->finished_at, 2);
+  EXPECT_EQ(store->series(succeeded)->count, 10U);
+  EXPECT_EQ(revision(succeeded), first) << "nothing has changed";
+  EXPECT_EQ(revision(failed), second);
+  EXPECT_FALSE(store->end({succeeded, 1}, ending)) << "another end";
+  EXPECT_FALSE(store->end({failed, 1}, {JobState::cancelled, "{}", 3, 0}));
+  EXPECT_FALSE(store->end({failed, 2}, ending)) << "another attempt";
+  EXPECT_FALSE(store->succeed({failed, 1}, ramp_plan(10), 3, nothing_seen, this->silent));
+}
+
+TYPED_TEST(Attempts, ThatWereNotTheEndOfAJobAreNotToldThatTheyWere) {
+  auto& store = this->here;
+  const std::string cancelled = insert_id(*store);
+  claim(*store, 1, "a", 500);
+  EXPECT_TRUE(store->requeue({cancelled, 1}, 2, 0));
+  EXPECT_EQ(store->cancel(cancelled, 3)->state, JobState::cancelled) << "while it waits, with the token of the attempt";
+  EXPECT_FALSE(store->end({cancelled, 1}, {JobState::cancelled, "{}", 4, 0}));
+  const std::string deadly = insert_id(*store);
+  std::int64_t token = 0;
+  for (int loss = 0; loss < max_losses_alone; ++loss) {
+    token = claim(*store, 1000, "a", 500)->token;
+    store->expire(1500);
+  }
+  EXPECT_EQ(store->get(deadly)->state, JobState::failed);
+  EXPECT_FALSE(store->end({deadly, token}, {JobState::failed, "{}", 1600, 0}));
+  EXPECT_NE(store->get(deadly)->error->find("worker-lost"), std::string::npos);
+}
+
+TYPED_TEST(Attempts, LeaveTheVersionThatPlanned) {
+  auto& store = this->here;
+  const std::string succeeded = insert_id(*store), failed = insert_id(*store), cancelled = insert_id(*store);
+  for (int k = 0; k < 3; ++k) claim(*store, 1, "a", 500);
+  EXPECT_FALSE(store->get(succeeded)->planned_by) << "before its end";
+  EXPECT_TRUE(store->succeed({succeeded, 1}, ramp_plan(10), 2, nothing_seen, this->silent));
+  EXPECT_TRUE(store->end({failed, 1}, {.error = "{}", .now = 2, .result = "{}"}));
+  EXPECT_TRUE(store->requeue({cancelled, 1}, 2, 0));
+  store->cancel(cancelled, 3);
+  for (const api::Job& job : store->list({}))
+    EXPECT_EQ(job.planned_by, job.id == cancelled ? std::nullopt : std::optional<std::string>("7.1"));
 }
 
 TYPED_TEST(Attempts, RequeuesWithoutCountingTheAttempt) {

@@ -1,3 +1,4 @@
+#include <functional>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -91,6 +92,41 @@ TYPED_TEST(Leases, OfAJobThatRanAloneAreLostThreeTimesAtMost) {
   EXPECT_EQ(nlohmann::json::parse(*store->get(id)->error)["type"], "/problems/worker-lost");
   EXPECT_EQ(store->get(id)->finished_at, 3500);
   EXPECT_FALSE(claim(*store, 9000));
+}
+
+TYPED_TEST(Leases, LostByWorkersThatTurnOutToLiveAreNotCounted) {
+  auto& store = this->here;
+  const std::string id = insert_id(*store);
+  const auto lose = [&] {
+    const std::int64_t token = claim(*store, 1000, "a", 500)->token;
+    EXPECT_EQ(this->other->expire(1500).lost, std::vector{id});
+    return Attempt{id, token};
+  };
+  const std::vector<std::function<void(const Attempt&)>> calls{
+      [&](const Attempt& lost) {
+        for (int k = 0; k < 3; ++k) EXPECT_EQ(over(*store, {"a", 1600, 2100}, {lost}).size(), 1U) << "it is taken once";
+      },
+      [&](const Attempt& lost) { EXPECT_FALSE(store->succeed(lost, ramp_plan(10), 1600, nothing_seen, this->silent)); },
+      [&](const Attempt& lost) { EXPECT_FALSE(store->succeed(lost, ramp_plan(0), 1600, nothing_seen, this->silent)); },
+      [&](const Attempt& lost) {
+        EXPECT_FALSE(store->end(lost, {JobState::failed, "{}", 1600, 0}));
+      },
+      [&](const Attempt& lost) { EXPECT_FALSE(store->requeue(lost, 1600, 0)); }};
+  lose();  // by a worker of which nothing is heard
+  for (const auto& call : calls) {
+    call(lose());
+    EXPECT_EQ(store->get(id)->state, JobState::queued);
+  }
+  const Attempt paused = lose();
+  const Attempt later{id, claim(*this->other, 2000, "b", 500)->token};
+  EXPECT_EQ(over(*store, {"a", 2000, 2500}, {paused}).size(), 1U) << "while another one plans the job";
+  EXPECT_EQ(store->expire(2500).lost, std::vector{id});
+  EXPECT_EQ(store->get(id)->state, JobState::queued);
+  lose();
+  EXPECT_EQ(store->get(id)->state, JobState::failed) << "three have told nothing";
+  const auto revision = store->get(id)->revision;
+  EXPECT_EQ(over(*this->other, {"b", 2600, 3100}, {later}).size(), 1U);
+  EXPECT_EQ(store->get(id)->revision, revision) << "too late";
 }
 
 TYPED_TEST(Leases, LostByJobsThatRanTogetherAreCountedAgainstNone) {

@@ -169,10 +169,10 @@ struct Moves : testing::Test {
     };
     add("id,kind,name,reference,callback,priority,deadline,time_budget,state,fraction,stage,message,attempt,"
         "cancel_requested,created_at,started_at,finished_at,error,revision,suspect,losses,owner,turn,callback_secret,"
-        "callback_receiver,callback_attempts,callback_due,callback_delivered,callback_error,tags,token",
+        "callback_receiver,callback_attempts,callback_due,callback_delivered,callback_error,tags,token,planned_by",
         "jobs " + others + " ORDER BY id");
     add("id,spec,whole", "specs JOIN jobs USING (seq) " + others + " AND id <> '" + ids["old"] + "' ORDER BY id");
-    add("id,document,columns,row_count,chunk_rows,cycle_time,views,planned_by",
+    add("id,document,columns,row_count,chunk_rows,cycle_time,views",
         "results JOIN jobs USING (seq) " + others + " ORDER BY id");
     add("id,first_row,row_count,data", "chunks JOIN jobs USING (seq) " + others + " ORDER BY id, first_row");
     add("id,name,part,data",
@@ -189,6 +189,7 @@ struct Moves : testing::Test {
     EXPECT_EQ(get("queued").request.name, "bracket \u00e9");
     EXPECT_EQ(get("queued").request.tags, (std::vector<std::string>{"a", "b\"c"}));
     EXPECT_EQ(get("queued").request.document, new_job().request.document);
+    EXPECT_EQ(get("succeeded").planned_by, "1.2.3");
     EXPECT_EQ(get("old").request.document, R"({"kind":"ramp","spec":{"n":0}})");
     EXPECT_EQ(get("running").state, JobState::queued);
     EXPECT_EQ(get("running").revision, 77U + lost_leap);

@@ -256,7 +256,7 @@ TEST_F(PostgresOnly, WhatWasCommittedIsFoundWhereTheAnswerWasLost) {
   wire.part("ended_by = $10");
   EXPECT_TRUE(store.end({job->id, 1}, {.error = "{}", .now = 1200, .revision = 9})) << "it has ended by this call";
   EXPECT_EQ(wire.parted(), 4);
-  EXPECT_FALSE(store.end({job->id, 1}, {.error = "{}", .now = 1300, .revision = 9}));
+  EXPECT_FALSE(store.end({job->id, 2}, {.error = "{}", .now = 1300, .revision = 9}));
   const std::string other = insert_id(store);
   const Attempt attempt{claim(store, 2000, "w", 500)->id, 1};
   EXPECT_EQ(attempt.id, other);

@@ -14,7 +14,8 @@ struct SqliteStores {
   SqliteStores() { restart(); }
   void restart(int engine = api::engine_level) {
     store.reset();
-    store = std::make_unique<SqliteStore>(SqliteOptions{.path = (folder.path / "store.db").string(), .engine = engine});
+    store = std::make_unique<SqliteStore>(
+        SqliteOptions{.path = (folder.path / "store.db").string(), .planned_by = "7.1", .engine = engine});
   }
   Store& one() { return *store; }
   Store& other() { return *store; }
@@ -40,6 +41,7 @@ struct PostgresStoresBy {
     const PostgresOptions options{.url = url,
                                   .patience = PostgresServer::patient(),
                                   .session = session,
+                                  .planned_by = "7.1",
                                   .engine = engine,
                                   .times_of_callers = true};
     first = std::make_unique<PostgresStore>(options);
