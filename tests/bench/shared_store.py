@@ -8,6 +8,7 @@ All but `pauses` unless something is named. `claims` needs `ninja claims`. Each 
 import contextlib
 import http.client
 import json
+import os
 import pathlib
 import socket
 import statistics
@@ -159,20 +160,33 @@ def rate(port, request, status, seconds=4):
 
 @contextlib.contextmanager
 def both(binary):
-    """A service with a store of each kind; nothing is planned."""
+    """A service with a store of each kind; nothing is planned. Each has `processes`, which gives those that work for it."""
     with server() as database, Service(binary, "--workers", "0", "--max-queued", "10000000") as own, \
             Service(binary, "--role", "api", "--max-queued", "10000000", url=database.url) as shared:
+        own.processes = lambda: [own.process.pid]
+        shared.processes = lambda: [shared.process.pid, *database.processes()]
         yield {"SQLite": own, "PostgreSQL": shared}
 
 
-def compare(services, what, requests, status, rounds=5):
-    rates = {name: [] for name in services}
+def processor_time(processes):
+    """Seconds that these have used."""
+    ticks = 0
+    for process in processes:
+        with contextlib.suppress(OSError):
+            ticks += sum(map(int, pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[11:13]))
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+def compare(services, what, requests, status, rounds=5, seconds=4):
+    rates, costs = ({name: [] for name in services} for _ in range(2))
     for _ in range(rounds):
         for name, service in services.items():
-            rates[name].append(rate(service.port, requests[name], status))
-    middle = {name: statistics.median(each) for name, each in rates.items()}
-    print(f"{what}: SQLite {middle['SQLite']:.0f}, PostgreSQL {middle['PostgreSQL']:.0f} per s, {middle['PostgreSQL'] / middle['SQLite']:.2f}; 8 connections, "
-          f"medians of {rounds} alternating turns of 4 s", flush=True)
+            before = processor_time(service.processes())
+            rates[name].append(rate(service.port, requests[name], status, seconds))
+            costs[name].append((processor_time(service.processes()) - before) / (rates[name][-1] * seconds))
+    (own, shared), (own_cost, shared_cost) = ([statistics.median(each[name]) for name in ("SQLite", "PostgreSQL")] for each in (rates, costs))
+    print(f"{what}: SQLite {own:.0f}, PostgreSQL {shared:.0f} per s, {shared / own:.2f}; processor time of each {own_cost * 1e3:.3f} and {shared_cost * 1e3:.3f} ms, "
+          f"{own_cost / shared_cost:.2f}; 8 connections, medians of {rounds} alternating turns of {seconds} s; load {os.getloadavg()[0]:.0f}", flush=True)
 
 
 def posts(binary):

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <random>
+#include <set>
 
 #include "fixture.hpp"
 
@@ -12,7 +13,8 @@ using api::JobState;
 
 struct ModelJob {
   JobState state = JobState::queued;
-  int priority = 0, attempt = 0, order = 0, losses = 0;
+  int priority = 0, attempt = 0, order = 0;
+  std::set<std::int64_t> lost = {};  ///< tokens of attempts whose loss counts
   std::int64_t token = 0;
   bool cancel = false, suspect = false;
   std::size_t rows = 0;
@@ -38,9 +40,9 @@ void restart(Model& model) {
   const bool alone = std::count_if(model.begin(), model.end(), runs) == 1;
   for (auto& [id, job] : model) {
     if (job.state != JobState::running) continue;
-    job.losses += alone ? 1 : 0;
+    if (alone) job.lost.insert(job.token);
     job.suspect = true;
-    job.state = job.cancel ? JobState::cancelled : job.losses >= 3 ? JobState::failed : JobState::queued;
+    job.state = job.cancel ? JobState::cancelled : job.lost.size() >= 3 ? JobState::failed : JobState::queued;
   }
 }
 
@@ -113,9 +115,14 @@ TEST_F(StoreTest, BehavesAsTheModel) {
           const std::string id = any();
           const std::int64_t token = static_cast<std::int64_t>(random() % 3);
           const std::size_t rows = random() % 2 ? random() % 6000 : 0;
-          const bool right = model.count(id) && model[id].state == JobState::running && model[id].token == token;
-          ASSERT_EQ(store->succeed({id, token}, ramp_plan(rows), 2, nothing_seen, silent), right);
+          const bool known = model.count(id) > 0, own = known && model[id].token == token;
+          const bool right = own && model[id].state == JobState::running;
+          const bool again = own && model[id].state == JobState::succeeded;
+          ASSERT_EQ(store->succeed({id, token}, ramp_plan(rows), 2, nothing_seen, silent), right || again);
           if (right) model[id].state = JobState::succeeded, model[id].rows = rows;
+          // The planner of a lost attempt lives, if the job can still make use of that.
+          if (known && (model[id].state == JobState::queued || model[id].state == JobState::running))
+            model[id].lost.erase(token);
           break;
         }
         case 6: {
