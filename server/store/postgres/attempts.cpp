@@ -62,16 +62,17 @@ std::string call_name() {
   return names.next(0);
 }
 
-/// $1 id, $2 state, $3 token, $4 next state, $5 time, $6 revision seen, $7 leap, $8 cancellation, $9 error, $10 name of
-/// the call, $11 result, $12 version of the program, both of a call alone.
+/// $1 id, $2 state, $3 token, $4 next state, $5 time, NULL: by the clock of the database, $6 revision seen, $7 leap, $8
+/// cancellation, $9 error, $10 name of the call, $11 result, $12 version of the program, both of a call alone.
 const std::string& end_statement() {
   static const std::string sql =
       std::string(
-          "WITH job AS (UPDATE jobs SET state = $4, error = $9, finished_at = $5, ended_by = $10, "
+          "WITH job AS (UPDATE jobs SET state = $4, error = $9, finished_at = coalesce($5, clock_timestamp()), "
+          "ended_by = $10, "
           "planned_by = $12, revision = greatest(jobs.revision, r.revision, $6) + $7, fraction = coalesce(r.fraction, "
           "jobs.fraction), "
           "stage = coalesce(r.stage, jobs.stage), message = coalesce(r.message, jobs.message), "
-          "callback_due = CASE WHEN callback_receiver IS NOT NULL THEN $5 END ")
+          "callback_due = CASE WHEN callback_receiver IS NOT NULL THEN coalesce($5, clock_timestamp()) END ")
           .append(fence)
           .append(
               "RETURNING jobs.id, jobs.owner, jobs.token, started_at, finished_at), "
@@ -117,7 +118,7 @@ PostgresStatement PostgresStore::statement_of(const Step& step) {
   if (queued)
     values << step.not_made;
   else
-    values.time(step.now);
+    values.time(clock(step.now));
   values << static_cast<std::int64_t>(step.seen) << step.leap;
   values << (step.cancel_requested ? std::optional<std::int64_t>(*step.cancel_requested ? 1 : 0) : std::nullopt);
   if (queued)

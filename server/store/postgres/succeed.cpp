@@ -22,12 +22,15 @@ constexpr auto insert_view =
     "INSERT INTO views (id, token, name, part, data) SELECT id, token, $3, $4, $5 FROM run "
     "ON CONFLICT (id, token, name, part) DO UPDATE SET data = excluded.data";
 
-/// Fence: state and token in the job's row. $1 id, $2 token, $3 time, $4 revision, $5 name of the call, $6 document, $7
-/// columns, $8 rows, $9 rows per chunk, $10 cycle time, $11 version of the views, $12 of the program.
+/// Fence: state and token in the job's row. $1 id, $2 token, $3 time, NULL: by the clock of the database, $4 revision,
+/// $5 name of the call, $6 document, $7 columns, $8 rows, $9 rows per chunk, $10 cycle time, $11 version of the views,
+/// $12 of the program.
 constexpr auto succeed_statement =
-    "WITH job AS (UPDATE jobs SET state = 'succeeded', fraction = 1, stage = 'done', message = '', finished_at = $3, "
-    "ended_by = $5, planned_by = $12, revision = greatest(jobs.revision, r.revision, $4) + 1, "
-    "callback_due = CASE WHEN callback_receiver IS NOT NULL THEN $3 END FROM runs AS r WHERE jobs.id = $1 AND "
+    "WITH job AS (UPDATE jobs SET state = 'succeeded', fraction = 1, stage = 'done', message = '', "
+    "finished_at = coalesce($3, clock_timestamp()), ended_by = $5, planned_by = $12, revision = "
+    "greatest(jobs.revision, r.revision, $4) + 1, "
+    "callback_due = CASE WHEN callback_receiver IS NOT NULL THEN coalesce($3, clock_timestamp()) END FROM runs AS r "
+    "WHERE jobs.id = $1 AND "
     "state = 'running' AND jobs.token = $2 AND r.id = jobs.id RETURNING jobs.id, jobs.owner, jobs.token, started_at, "
     "finished_at), "
     "result AS (INSERT INTO results (id, token, document, columns, row_count, chunk_rows, cycle_time, views) "
@@ -109,7 +112,7 @@ bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& plann
   Statements statements;
   store_piece(statements, attempt, piece);
   PostgresParameters values;
-  (values.uuid(attempt.id) << attempt.token).time(now) << static_cast<std::int64_t>(seen());
+  (values.uuid(attempt.id) << attempt.token).time(clock(now)) << static_cast<std::int64_t>(seen());
   values.uuid(name).bytes(document) << columns << static_cast<std::int64_t>(source ? source->count() : 0)
                                     << static_cast<std::int64_t>(series_chunk_rows)
                                     << (source ? source->cycle_time() : 0.0)
