@@ -126,7 +126,9 @@ Passing pass_points(const ProbeProblem& problem, const SplineMotion& motion, con
     for (; i < chosen[c + 1] + (c + 1 == edges); ++i) {
       const bool known = i == chosen[c] || i == chosen[c + 1];
       double& t = out.times[i];
-      t = known ? times[i == chosen[c] ? c : c + 1] : finder.nearest(i, times[from], times[to]);
+      t = known ? times[i == chosen[c] ? c : c + 1] : finder.nearest(i, times[c], times[c + 1]);
+      // Beyond the chosen points about it the motion may turn; a point out of order may be passed there.
+      if (!known && !finder.passed(i, t)) t = finder.nearest(i, times[from], times[to]);
       if (i == 0 || i + 1 == n) {
         earliest[i] = latest[i] = t;
       } else if (finder.passed(i, t)) {

@@ -88,10 +88,12 @@ PointChoice::Place PointChoice::place(std::size_t point, Vec at) const {
   return out;
 }
 
-/// Returns whether a rest at either end passes the point.
+/// Returns whether a rest at either end passes the point. A point that lies there and is passed on the way is none.
 bool PointChoice::at_rest(std::size_t point) const {
   const Vec at = problem_.points[point];
-  return std::min(norm(at - problem_.points.front()), norm(at - problem_.points.back())) < problem_.point_tolerance;
+  const double along = along_[first_[point]], near = 10 * problem_.point_tolerance;
+  return (norm(at - problem_.points.front()) < problem_.point_tolerance && along < near) ||
+         (norm(at - problem_.points.back()) < problem_.point_tolerance && along_.back() - along < near);
 }
 
 std::vector<std::size_t> PointChoice::listed(const std::vector<char>& list) const {

@@ -165,6 +165,15 @@ TEST(Optimal, DensePointsOfAStraightCostNothingWithNoiseOrWithout) {
     }
 }
 
+TEST(Optimal, APointAtTheBeginThatIsPassedOnTheWayCounts) {
+  const ProbeProblem p = problem({{0, 0}, {3, 0}, {0, 0}, {3, 0}, {0, 2}}, 0.05);
+  EXPECT_LT(optimal(p).duration(), 0.9 * stops(p).duration());
+}
+
+TEST(Optimal, PointsOfARowBeforeASharpCornerArePassedOnTheRow) {
+  optimal(problem({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {3.2, 0.5}, {2.4, 1}, {1.6, 1.5}}, 0));
+}
+
 TEST(Optimal, PointsOnAStraightTakeTheTimeOfSnapAloneWhereNothingElseLimits) {
   for (const double tolerance : {0.0, 0.05}) {
     const ProbeProblem p =
