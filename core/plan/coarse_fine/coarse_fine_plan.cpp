@@ -94,7 +94,9 @@ class CoarseFineProblem final : public MotionProblem {
 
   bool plan_otherwise() override {
     choice_->reject(duration(), verdict_);
-    return take_next();
+    if (take_next()) return true;
+    choice_->refuse_beyond_range();
+    return false;
   }
 
   double duration() const override { return result_.head->duration() * stretch_; }

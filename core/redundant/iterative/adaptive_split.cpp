@@ -160,8 +160,8 @@ double AdaptiveSplit::tolerance(std::size_t axis, double spacing, double speed) 
   return a.stroke * stroke_share - std::min(by_velocity, by_acceleration) - of_check;
 }
 
-bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool backward,
-                        bool ends, std::vector<TimeSpline>& coarse) {
+bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool ends,
+                        std::vector<TimeSpline>& coarse) {
   CoarseFitOptions o;
   o.approximation = options_.approximation;
   o.smoothing = options_.smoothing;
@@ -186,18 +186,10 @@ bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>&
     task.begin = begin[k];
     if (kept(iteration) > 0) task.knots = knots_.times(head, k);
     task.limits = task_.machine.axes[k].coarse;
-    const bool centred = task_.machine.axes[k].centred;
-    if (ends && centred) task.begin.end = task.positions.back();
-    if (backward) {
-      std::reverse(task.positions.begin(), task.positions.end());
-      task.begin = {task.positions.front(), 0, 0, begin[k].with_acceleration, {}};
-      if (centred) task.begin.end = task.positions.back();
-      std::reverse(task.knots.begin(), task.knots.end());
-      for (double& t : task.knots) t = task.duration - t;
-    }
+    if (ends && task_.machine.axes[k].centred) task.begin.end = task.positions.back();
     std::optional<CoarseFit> found = fit_coarse(task, o);
     if (!found) return false;
-    coarse.push_back(backward ? found->spline.reversed(jerk_ ? 2 : 1) : std::move(found->spline));
+    coarse.push_back(std::move(found->spline));
   }
   if (may_keep_) knots_.keep(head, coarse);
   return true;
@@ -323,13 +315,12 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
 }
 
 std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t last,
-                                              const std::vector<SplineBegin>& begin, bool backward) {
+                                              const std::vector<SplineBegin>& begin) {
   reset(first, last);
   const std::size_t block = sections_.begin(first), end = sections_.begin(last);
   const double longest = alone_.duration(first, last);
-  const bool rests = backward || std::all_of(begin.begin(), begin.end(), [](const SplineBegin& at) {
-                       return at.velocity == 0 && at.acceleration == 0;
-                     });
+  const bool rests = std::all_of(begin.begin(), begin.end(),
+                                 [](const SplineBegin& at) { return at.velocity == 0 && at.acceleration == 0; });
   const double bearable = rests ? 1 + constants_.most_slowing : 1;
   std::optional<SplitPart> best;  // best pass so far, before slowing
   double best_slowing = unlimited;
@@ -349,7 +340,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
     if (part.law.duration() > longest || part.law.duration() * (1 + constants_.most_slowing) >= takes()) break;
     const PathMotion head(task_.path, part.law);
     const HeadSamples samples = sample(head);
-    if (!fit(samples, begin, iteration, backward, last == sections_.size(), part.coarse)) break;
+    if (!fit(samples, begin, iteration, last == sections_.size(), part.coarse)) break;
     std::vector<std::vector<SplitPeaks>> peaks;
     for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
     Assessment found = assessed(head.duration(), peaks);

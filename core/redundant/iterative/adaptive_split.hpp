@@ -34,9 +34,6 @@ struct IterativeOptions {
   double most_slowing = 5e-4;
   /// Iteration from which on limits fall faster in each iteration, if jerk is not limited.
   int patience = 2;
-  /// Relative excess over the duration of the head's first plan from which on a motion is also planned backwards in
-  /// time.
-  double backward_from = 9e-4;
 };
 
 /// The motion of the sections [first, last); its time begins with 0.
@@ -69,11 +66,7 @@ class AdaptiveSplit {
   /// factor by which head and coarse axes can be slowed together until no limit is exceeded; the pass with the shortest
   /// such motion is returned, and passes end when the head alone takes as long. None if no pass within `max_iterations`
   /// is valid, or if the head gets slower than the coarse axes are alone.
-  ///
-  /// With `backward` the coarse axes are fitted from the end to the begin, where they begin at rest at the head's
-  /// position.
-  std::optional<SplitPart> solve(std::size_t first, std::size_t last, const std::vector<SplineBegin>& begin,
-                                 bool backward = false);
+  std::optional<SplitPart> solve(std::size_t first, std::size_t last, const std::vector<SplineBegin>& begin);
 
  private:
   std::size_t axes() const { return task_.machine.axes.size(); }
@@ -87,7 +80,7 @@ class AdaptiveSplit {
     return may_keep_ ? std::max(0, iteration - constants_.iterations_with_new_knots) : 0;
   }
   /// Fits all axes into `coarse`; `ends`: whether the last section is included. Returns false if an axis has no fit.
-  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool backward, bool ends,
+  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool ends,
            std::vector<TimeSpline>& coarse);
   /// Returns upper bounds of the peaks, [axis][block], of the sections [first, last), valid between samples as well.
   std::vector<std::vector<SplitPeaks>> exact_peaks(const TimeLaw& law, const std::vector<TimeSpline>& coarse,

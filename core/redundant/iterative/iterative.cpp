@@ -73,7 +73,7 @@ class Planner {
     result_.fastest = split_.fastest();
     coarse_.resize(task_.machine.axes.size());
     const bool found = options_.window ? windowed() : whole();
-    if (options_.window) result_.slowed = split_.slowed(), result_.passes = split_.passes();
+    result_.slowed = split_.slowed(), result_.passes = split_.passes();
     result_.iterations = result_.passes.size();
     return found ? std::nullopt : std::optional(NoPlan::no_split);
   }
@@ -113,29 +113,9 @@ class Planner {
     return begin;
   }
 
-  std::optional<SplitPart> solved_whole(bool backward) {
-    const std::size_t before = split_.passes().size();
-    std::optional<SplitPart> part = split_.solve(0, sections().size(), at_head(), backward);
-    const auto& passes = split_.passes();
-    result_.passes.assign(passes.begin() + static_cast<std::ptrdiff_t>(before), passes.end());
-    result_.slowed = split_.slowed();
-    return part;
-  }
-
-  /// Plans forward in time, and also backward if that may gain; the quicker plan is kept.
+  /// Plans the whole contour at once.
   bool whole() {
-    std::optional<SplitPart> part = solved_whole(false);
-    if (!part || part->law.duration() > split_.fastest() * (1 + constants_.backward_from)) {
-      std::vector<RedundancyIteration> passes = std::move(result_.passes);
-      std::vector<SlowedSegment> slowed = std::move(result_.slowed);
-      std::optional<SplitPart> back = solved_whole(true);
-      if (back && (!part || back->law.duration() < part->law.duration())) {
-        part = std::move(back);
-        result_.notes.emplace_back("the coarse axes were fitted against the direction of time, which is quicker here");
-      } else {
-        result_.passes = std::move(passes), result_.slowed = std::move(slowed);
-      }
-    }
+    std::optional<SplitPart> part = split_.solve(0, sections().size(), at_head());
     if (!part) return false;
     for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k] = std::move(part->coarse[k]);
     law_ = std::move(part->law);

@@ -33,15 +33,4 @@ void TimeSpline::slow(double factor) {
   end_ *= factor;
 }
 
-TimeSpline TimeSpline::reversed(std::size_t rest) const {
-  TimeSpline back;
-  for (std::size_t i = pieces(); i-- > 0;) {
-    Coefficients c = from(i, end(i));  // coefficients of powers of the old time less the piece's end
-    for (std::size_t k = 1; k < c.size(); k += 2) c[k] = -c[k];
-    if (i + 1 == pieces()) std::fill(c.begin() + 1, c.begin() + 1 + static_cast<std::ptrdiff_t>(rest), 0.0);
-    back.append(i == 0 ? end_ : end_ - begin(i), c);
-  }
-  return back;
-}
-
 }  // namespace bahnwerk

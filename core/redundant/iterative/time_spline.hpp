@@ -43,9 +43,6 @@ class TimeSpline {
   void append(const TimeSpline& other, double until, double end);
   /// Scales time so that the motion lasts `factor` times as long. O(pieces).
   void slow(double factor);
-  /// Returns the time-reversed motion. Its first `rest` derivatives are set to 0 at its begin, where this motion is at
-  /// rest up to rounding. O(pieces).
-  TimeSpline reversed(std::size_t rest) const;
 
  private:
   struct Piece {

@@ -240,6 +240,7 @@ std::vector<GaveWay> PlanChoice::gave_way(double duration) const {
     rows[i].used = last ? name(candidates[chosen_->candidate].planner) : rows[i + 1].planner;
     rows[i].used_duration = last ? duration : rows[i + 1].duration;
   }
+  std::erase_if(rows, [](const GaveWay& row) { return row.planner == row.used; });  // its plan in the other direction
   return rows;
 }
 
@@ -258,6 +259,11 @@ std::optional<std::string> PlanChoice::quicker_coarse_axes(double duration) {
 }
 
 void PlanChoice::refuse() const {
+  refuse_beyond_range();
+  throw Infeasible(why_not_ ? text(*why_not_) : "no motion was found that holds every limit");
+}
+
+void PlanChoice::refuse_beyond_range() const {
   std::vector<InputFault> faults;
   for (const std::size_t k : beyond_coarse_range(*task_.path, task_.machine))
     faults.push_back({{"machine", "coarse", task_.machine.axes[k].name, "range"},
@@ -265,7 +271,6 @@ void PlanChoice::refuse() const {
                       "the contour"});
   if (!faults.empty())
     throw InfeasibleAt("no motion was found in which the coarse axes stay within their ranges", std::move(faults));
-  throw Infeasible(why_not_ ? text(*why_not_) : "no motion was found that holds every limit");
 }
 
 std::optional<Check> failed_by_most(const Verification& verification) {

@@ -41,6 +41,8 @@ class PlanChoice {
   /// Throws InfeasibleAt if the path leaves the range of a coarse axis, otherwise Infeasible, as no candidate has a
   /// plan.
   [[noreturn]] void refuse() const;
+  /// Throws InfeasibleAt if the path leaves the range of a coarse axis.
+  void refuse_beyond_range() const;
 
  private:
   struct Chosen {

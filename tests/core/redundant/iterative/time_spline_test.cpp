@@ -66,24 +66,5 @@ TEST(TimeSpline, SlowsAsAWhole) {
     }
 }
 
-TEST(TimeSpline, ReversedDoesTheSameBackwards) {
-  TimeSpline s;
-  s.append(2, {1, -2, 3, 0.5, -0.25, 0.125});
-  s.append(3, {4, 1, -1, 0.25, 0.5, -0.125});
-  const TimeSpline back = s.reversed(0);
-  ASSERT_EQ(back.pieces(), 2u);
-  EXPECT_EQ(back.begin(1), 1);
-  EXPECT_EQ(back.duration(), 3);
-  for (const double t : {0.1, 0.9, 1.7, 2.4, 2.9}) {
-    const AxisState there = s.in_piece(s.find(t, 0), t), here = back.in_piece(back.find(3 - t, 0), 3 - t);
-    EXPECT_NEAR(here.x, there.x, 1e-12);
-    EXPECT_NEAR(here.v, -there.v, 1e-12);
-    EXPECT_NEAR(here.a, there.a, 1e-12);
-    EXPECT_NEAR(here.j, -there.j, 1e-12);
-  }
-  EXPECT_EQ(s.reversed(2).in_piece(0, 0).v, 0);
-  EXPECT_EQ(s.reversed(2).in_piece(0, 0).a, 0);
-}
-
 }  // namespace
 }  // namespace bahnwerk

@@ -6,7 +6,6 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/redundant/joint_plans.hpp"
 
@@ -50,27 +49,6 @@ TEST(Joint, AMoveAtASlowFeedHoldsItWithALargeStroke) {
 }
 
 /// What the coarse axes can do by themselves is always there, the fine ones standing still.
-TEST(Joint, RandomContoursAreNeverSlowerThanTheCoarseAxesAlone) {
-  Random random(14);
-  for (int i = 0; i < 4; ++i) {
-    SCOPED_TRACE(i);
-    const JointTask task = test::joint_task(test::random_contour(random, 800), random_machine(random));
-    const JointResult r = plan(task);
-    expect_valid(task, r);
-    Machine coarse = head_limits(task.machine);
-    for (std::size_t k = 0; k < 2; ++k) {
-      coarse.axes[k].velocity = task.machine.axes[k].coarse.velocity;
-      coarse.axes[k].acceleration = task.machine.axes[k].coarse.acceleration;
-    }
-    SilentProgress progress;
-    double alone = 0;
-    for (const Rest& rest : task.dwells) alone += rest.seconds;
-    alone +=
-        plan_acceleration_limited(PathTask{*task.path, coarse, task.feeds, task.rests}, {}, progress).law.duration();
-    EXPECT_LE(r.chosen.duration, alone * (1 + 1e-4));
-  }
-}
-
 TEST(Joint, RandomContoursOnRandomMachinesHoldAllLimits) {
   Random random(11);
   std::size_t slowed = 0;
