@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
@@ -168,6 +170,25 @@ TEST(AccelerationLimited, RefusesLimitsThatAreNone) {
   m.axes[1].acceleration = 0;
   SilentProgress progress;
   EXPECT_THROW(plan_acceleration_limited(curve(), m, {}, progress), InvalidInput);
+}
+
+TEST(AccelerationLimited, AStraightMoveIsItsClosedForm) {
+  ContourBuilder far(2, {}), near(2, {});
+  far.line({3000, 0, 0}), near.line({1, 0, 0});
+  EXPECT_NEAR(duration(far.finish()), 3000.0 / 1800 + 1800.0 / 16000, 1e-12);
+  EXPECT_NEAR(duration(near.finish()), 2 * std::sqrt(1.0 / 16000), 1e-12);
+}
+
+TEST(AccelerationLimited, RefusesAPathThatTurnsTooMuch) {
+  ContourBuilder b(2, {});
+  for (int i = 0; i < 30'000; ++i) b.arc({}, {5, 0, 0}, true);  // 2π each: 188 496 rad
+  try {
+    law(b.finish());
+    FAIL();
+  } catch (const InvalidInput& e) {
+    ASSERT_EQ(e.faults.size(), 1u);
+    EXPECT_EQ(e.faults[0].place, std::vector<std::string>{"contour"});
+  }
 }
 
 TEST(AccelerationLimited, SameInputSameBits) { testing::expect_same_bits(law(curve()), law(curve())); }
