@@ -23,6 +23,9 @@ inline std::string check_stem(std::string name) {
   // A coarse or fine axis.
   if (const std::size_t n = name.size(); n > 3 && name[n - 3] == ' ' && (name[n - 1] == 'c' || name[n - 1] == 'f'))
     name.resize(n - 3);
+  // An axis of a machine along a contour, by its name.
+  for (const char* of : {"velocity ", "acceleration ", "jerk "})
+    if (name.starts_with(of) && name.find(' ') == name.rfind(' ')) name.resize(name.find(' '));
   // An axis of a winding machine.
   if (const std::size_t n = name.size(); n > 3 && name.compare(n - 3, 2, " q") == 0) name.resize(n - 3);
   return name;
