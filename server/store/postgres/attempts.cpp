@@ -111,7 +111,7 @@ PostgresStatement PostgresStore::lock_of(const std::string& id) {
   return {"SELECT state FROM jobs WHERE id = $1 FOR UPDATE", PostgresParameters().uuid(id)};
 }
 
-PostgresStatement PostgresStore::statement_of(const Step& step) {
+PostgresStatement PostgresStore::statement_of(const Step& step) const {
   const bool queued = step.to.state == JobState::queued;
   PostgresParameters values;
   values.uuid(step.id) << api::to_string(step.from) << step.token << api::to_string(step.to.state);

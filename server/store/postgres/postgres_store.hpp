@@ -167,13 +167,13 @@ class PostgresStore final : public Store {
   std::size_t counted(std::size_t queued);
   void counted_more(std::size_t posts);
 
-  static PostgresStatement statement_of(const Step& step);
+  PostgresStatement statement_of(const Step& step) const;
   static PostgresStatement lock_of(const std::string& id);
   /// Returns whether a call of the attempt has ended its job in that state.
   static bool ended(PostgresConnection& connection, const Attempt& attempt, api::JobState state);
   /// Takes back the losses of attempts whose workers live, where they count.
   static void take_back_losses(PostgresConnection& connection, const std::vector<Attempt>& attempts);
-  static Statements cancel_of(const std::string& id, std::int64_t now);
+  Statements cancel_of(const std::string& id, std::int64_t now) const;
   static PostgresStatement removal_of(const std::string& id);
   void store_piece(Statements& statements, const Attempt& attempt, const SeriesPiece& piece) const;
   std::vector<std::string> lose(std::int64_t now);

@@ -28,7 +28,7 @@ constexpr auto remove_job =
 }  // namespace
 
 /// The lock comes first, so that no claim and no requeue falls between the two steps.
-PostgresStore::Statements PostgresStore::cancel_of(const std::string& id, std::int64_t now) {
+PostgresStore::Statements PostgresStore::cancel_of(const std::string& id, std::int64_t now) const {
   return {lock_of(id),
           statement_of({.id = id, .from = api::JobState::queued, .to = after_cancel(id), .now = now}),
           {ask_to_stop, PostgresParameters().uuid(id)}};
