@@ -119,7 +119,8 @@ TEST(Results, TheSchemaNoticesWhatIsWrong) {
   EXPECT_EQ(faults("/summary/duration", "7").size(), 1u);
   EXPECT_EQ(faults("/verification/checks/0/value", std::nan("")).size(), 1u) << "null on the wire";
   EXPECT_EQ(faults("/verification/checks/0/name", "elegance").size(), 1u);
-  EXPECT_EQ(faults("/setpoints/columns/0/name", "q1").size(), 1u);
+  EXPECT_EQ(faults("/setpoints/columns/0/name", "").size(), 1u);
+  EXPECT_EQ(faults("/setpoints/columns/0/unit", "furlong").size(), 1u);
   EXPECT_EQ(faults("/details/method", "guess").size(), 1u);
   auto bad = good;
   bad.erase("bound");
