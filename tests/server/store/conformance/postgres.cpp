@@ -121,8 +121,10 @@ TEST_F(PostgresOnly, ChangesAreNumberedOnceInWhateverOrderTransactionsEnd) {
 }
 
 TEST_F(PostgresOnly, JobsThatNeedALaterEngineAreCounted) {
-  PostgresStore newer(
-      {.url = stores->url, .patience = PostgresServer::patient(), .engine = 1, .times_of_callers = true});
+  PostgresStore newer({.url = stores->url,
+                       .patience = PostgresServer::patient(),
+                       .engine = api::engine_level + 1,
+                       .times_of_callers = true});
   insert_id(newer);
   insert_id(newer);
   insert_id(stores->one());
