@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "api/members.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/number_text.hpp"
 #include "core/winding/laying/laying_regions.hpp"
@@ -22,24 +23,6 @@ Place below(Place place, const std::string& member);
 inline std::string short_number(double value) { return number_text(value, 4); }
 /// Returns it with as many as distinguish it from `other`, with which the message compares it.
 inline std::string short_number(double value, double other) { return number_text(value, other, 4); }
-
-/// Returns a member; none if it is absent or null.
-template <class T, class Json>
-std::optional<T> given(const Json& object, const char* member) {
-  const auto at = object.find(member);
-  if (at == object.end() || at->is_null()) return std::nullopt;
-  return at->template get<T>();
-}
-/// Reads a member into a variable, which keeps its value if the member is absent or null; `unit` is the document's unit
-/// in core's.
-template <class T, class Json>
-void take(const Json& object, const char* member, T& value) {
-  if (const auto v = given<T>(object, member)) value = *v;
-}
-template <class Json>
-void take(const Json& object, const char* member, double& value, double unit) {
-  if (const auto v = given<double>(object, member)) value = unit * *v;
-}
 
 /// Read a slot from a document that passed its schema; they ignore a member "type".
 winding::StatorSlot stator_slot(const nlohmann::json& document);

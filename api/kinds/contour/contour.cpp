@@ -18,7 +18,7 @@
 #include "core/base/borrowed.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
-#include "core/motion/setpoints/tool_setpoints.hpp"
+#include "core/machine/degrees.hpp"
 #include "core/plan/coarse_fine/axis_drawing.hpp"
 #include "core/plan/contour/contour_axes.hpp"
 #include "core/plan/contour/contour_faults.hpp"
@@ -218,12 +218,19 @@ void check_contour(const Contour& contour, ContourJob& job) {
         std::string(text) + pose.what() + "; move the contour, the machine's origin or the ends of the range"}});
 }
 
+/// The axes of the machine along the contour as it is given. The job has to outlive it.
+struct GivenAxes {
+  explicit GivenAxes(const ContourJob& job)
+      : axes(borrowed(job.contour), job.head), moving(axes.along(borrowed(job.contour)).moving) {}
+  ContourAxes axes;
+  std::shared_ptr<const AxisPath> moving;
+};
+
 /// Throws InvalidInput naming the place at which the machine cannot follow the contour, as it is given.
 void check_reach(const ContourJob& job) {
   if (job.head.cartesian()) return;
   try {
-    const auto contour = borrowed(job.contour);
-    ContourAxes(contour, job.head).along(contour);
+    const GivenAxes reached(job);
   } catch (const UnreachablePose& pose) {
     unreachable(job, job.contour, pose);
   }
@@ -350,10 +357,9 @@ struct ContourKind {
   }
 
   static std::shared_ptr<const SegmentTable> document_segments(const ContourJob& job, Progress& progress) {
-    const ContourAxes axes(borrowed(job.contour), job.head);
-    return table_of(
-        bahnwerk::document_segments(job.contour, *axes.along(borrowed(job.contour)).moving, axes.machine(), progress),
-        job.program);
+    const GivenAxes given(job);
+    return table_of(bahnwerk::document_segments(job.contour, *given.moving, given.axes.machine(), progress),
+                    job.program);
   }
 
   /// A contour has a scene where coarse and fine axes move in space.
@@ -367,9 +373,9 @@ struct ContourKind {
   }
 
   static ordered_json preview(const ContourJob& job, Progress& progress) {
-    const ContourAxes axes(borrowed(job.contour), job.head);
-    const DurationEstimate time = estimate_duration(job.contour, *axes.along(borrowed(job.contour)).moving,
-                                                    axes.machine(), job.planning.corner_angle, progress);
+    const GivenAxes given(job);
+    const DurationEstimate time =
+        estimate_duration(job.contour, *given.moving, given.axes.machine(), job.planning.corner_angle, progress);
     const Outline shape = outline(job.contour, max_outline, progress);
     ordered_json vertices = ordered_json::array(), cut = ordered_json::array();
     for (std::size_t i = 0; i < shape.vertices.size(); ++i) {

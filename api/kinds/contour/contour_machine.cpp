@@ -9,6 +9,7 @@
 
 #include "api/kinds/contour/contour.hpp"
 #include "api/limits_input.hpp"
+#include "api/members.hpp"
 #include "core/base/errors.hpp"
 #include "core/machine/linear_delta.hpp"
 #include "core/machine/linear_machine.hpp"
@@ -55,10 +56,7 @@ std::vector<AxisLimits> axes(const json& document, std::initializer_list<NamedAx
   return list;
 }
 
-void take(const json& document, const char* name, double& value, double unit = 1) {
-  if (document.contains(name)) value = unit * document[name].get<double>();
-}
-void take(const json& document, const char* name, Vec& value) {
+void take_position(const json& document, const char* name, Vec& value) {
   if (!document.contains(name)) return;
   for (std::size_t k = 0; k < document[name].size(); ++k) value[k] = document[name][k].get<double>();
 }
@@ -115,7 +113,7 @@ Read corexy(const json& document, Faults& faults) {
 
 Read polar(const json& document, Faults& faults) {
   PolarSizes sizes;
-  take(document, "origin", sizes.origin);
+  take_position(document, "origin", sizes.origin);
   take(document, "least_radius", sizes.least_radius);
   std::vector<AxisLimits> list = axes(document, {{"theta", true}, {"r", false}, {"z", false}}, faults);
   const std::size_t coordinates = list.size();
@@ -124,7 +122,7 @@ Read polar(const json& document, Faults& faults) {
 
 Read scara(const json& document, Faults& faults) {
   ScaraSizes sizes;
-  take(document, "origin", sizes.origin);
+  take_position(document, "origin", sizes.origin);
   take(document, "l1", sizes.l1);
   take(document, "l2", sizes.l2);
   take(document, "least_bend", sizes.least_bend, degree);
@@ -141,7 +139,7 @@ Read scara(const json& document, Faults& faults) {
 
 Read linear_delta(const json& document, Faults& faults) {
   LinearDeltaSizes sizes;
-  take(document, "origin", sizes.origin);
+  take_position(document, "origin", sizes.origin);
   take(document, "radius", sizes.radius);
   take(document, "rod", sizes.rod);
   take(document, "least_angle", sizes.least_angle, degree);
@@ -154,7 +152,7 @@ Read linear_delta(const json& document, Faults& faults) {
 
 Read rotary_delta(const json& document, Faults& faults) {
   RotaryDeltaSizes sizes;
-  take(document, "origin", sizes.origin);
+  take_position(document, "origin", sizes.origin);
   take(document, "radius", sizes.radius);
   take(document, "arm", sizes.arm);
   take(document, "rod", sizes.rod);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "api/kinds/kind_frame.hpp"
@@ -13,6 +12,7 @@
 #include "api/kinds/winding/winding_scene.hpp"
 #include "api/verification.hpp"
 #include "core/base/progress.hpp"
+#include "core/machine/degrees.hpp"
 #include "core/plan/winding/feed_drawing.hpp"
 #include "core/plan/winding/slot_access.hpp"
 #include "core/plan/winding/winding_drawings.hpp"
@@ -44,17 +44,6 @@ ordered_json summary(const WindingRequest& request, const WindingPlan& plan) {
           {"clearance", std::isfinite(least) ? ordered_json(least) : ordered_json()}};
 }
 
-/// Returns the axes with their limits in the units of the setpoints.
-Machine in_degrees(const Kinematics& kinematics) {
-  Machine machine{kinematics.axes(), 0};
-  for (AxisLimits& axis : machine.axes) {
-    if (axis.unit != "rad") continue;
-    axis.unit = "deg";
-    for (int order = 1; order <= Limits::highest_order; ++order) axis.of(order) *= 180 / std::numbers::pi;
-  }
-  return machine;
-}
-
 struct WindingKind {
   static constexpr std::string_view name = "winding";
   static constexpr std::string_view title =
@@ -67,7 +56,7 @@ struct WindingKind {
   static ViewFacts view_facts(const WindingRequest& asked) {
     ViewFacts facts;
     declare_path(facts.limits, asked.along);
-    declare_axes(facts.limits, in_degrees(*asked.configurations.front()));
+    declare_axes(facts.limits, in_degrees({asked.configurations.front()->axes(), 0}));
     const double bears = std::min(asked.tension.permitted, asked.bears > 0 ? asked.bears : unlimited);
     if (std::isfinite(bears)) facts.limits.push_back({"wire tension", "N", "tension", 0, {-bears, bears}});
     return facts;

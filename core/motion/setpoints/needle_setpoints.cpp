@@ -4,16 +4,12 @@
 #include <numbers>
 #include <utility>
 
+#include "core/machine/degrees.hpp"
+
 namespace bahnwerk {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-
-Machine in_degrees(Machine machine) {
-  for (AxisLimits& axis : machine.axes)
-    if (axis.unit == "rad") axis.unit = "deg";
-  return machine;
-}
 
 }  // namespace
 

@@ -2,21 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <utility>
 
-namespace bahnwerk {
+#include "core/machine/degrees.hpp"
 
-Machine in_degrees(Machine machine) {
-  constexpr double degrees = 180 / std::numbers::pi;
-  for (AxisLimits& axis : machine.axes) {
-    if (axis.unit != "rad") continue;
-    axis.unit = "deg";
-    for (int order = 1; order <= Limits::highest_order; ++order) axis.of(order) *= degrees;
-    axis.lowest *= degrees, axis.highest *= degrees;
-  }
-  return machine;
-}
+namespace bahnwerk {
 
 ToolSetpoints::ToolSetpoints(const std::shared_ptr<const PathMotion>& motion, std::shared_ptr<const Contour> contour,
                              const Machine& machine, std::size_t cycles, ToolColumns columns)

@@ -33,7 +33,4 @@ class ToolSetpoints final : public ContourSetpoints {
   std::vector<std::size_t> coordinates_;  ///< coordinates that have a column
 };
 
-/// Returns the machine with its rotary axes in deg.
-Machine in_degrees(Machine machine);
-
 }  // namespace bahnwerk

@@ -20,14 +20,14 @@ using test::expect_valid_split, test::plan_by_iterations;
 TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
   Random random(5);
   SilentProgress progress;
-  IterativeOptions stubborn;
-  stubborn.most_slowing = 0;
+  IterativeOptions never_slowed;
+  never_slowed.most_slowing = 0;
   int fewer = 0;
   for (int i = 0; i < 30; ++i) {
     SCOPED_TRACE(i);
     const RedundancyTask task = test::redundancy_task(test::random_contour(random, 100), test::md2());
     const RedundancyResult slowed = plan_by_iterations(task, {}),
-                           exact = test::found(plan_iterative(task, {}, stubborn, progress, 0, 1));
+                           exact = test::found(plan_iterative(task, {}, never_slowed, progress, 0, 1));
     expect_valid_split(task, slowed);
     ASSERT_LE(slowed.iterations, exact.iterations);
     if (slowed.iterations == exact.iterations) continue;
@@ -58,9 +58,9 @@ double in_either_direction(const RedundancyTask& task, const RedundancyOptions& 
 /// With knots anew in each pass and no grading other blocks exceed limits in each.
 TEST(Iterative, KeptKnotsEndShorterThanKnotsAnew) {
   Random random(11);
-  IterativeOptions anew;
-  anew.iterations_with_new_knots = anew.max_iterations;
-  anew.grading = 0;
+  IterativeOptions new_knots;
+  new_knots.iterations_with_new_knots = new_knots.max_iterations;
+  new_knots.grading = 0;
   RedundancyOptions o;
   o.smoothing = CoarseSmoothing::none;
   for (int i = 0; i < 2; ++i) {
@@ -69,7 +69,7 @@ TEST(Iterative, KeptKnotsEndShorterThanKnotsAnew) {
     const RedundancyResult r = plan_by_iterations(task, o);
     expect_valid_split(task, r);
     EXPECT_GT(r.iterations, 3u);
-    EXPECT_LT(in_either_direction(task, o, {}), 0.997 * in_either_direction(task, o, anew));
+    EXPECT_LT(in_either_direction(task, o, {}), 0.997 * in_either_direction(task, o, new_knots));
   }
 }
 
