@@ -41,14 +41,14 @@ std::unique_ptr<SetpointSource> setpoints(const std::shared_ptr<const Contour>& 
 }  // namespace
 
 ContourPlan plan_contour(Contour input, const ToolMachine& machine, const ContourPlanning& planning,
-                         Progress& progress) {
+                         Progress progress) {
   check(input, machine, planning);
   if (planning.stop_at_mode_change) stop_at_mode_changes(input);
   const auto given = std::make_shared<const Contour>(std::move(input));
   const double all = planning.what_if ? 0.25 : 1;  // part of the progress before `what_if` is planned
   const bool blended = planning.corner_mode == CornerMode::blend;
   const double posed_at = blended ? 0.5 * all : 0.0, served = (blended ? 0.95 : 1.0) * all;
-  PreparedContour posed = prepare_contour(given, machine, planning, progress, 0.0, posed_at);
+  PreparedContour posed = prepare_contour(given, machine, planning, progress.part(0, posed_at));
   const std::shared_ptr<const Contour> contour = std::move(posed.driven);
   const ContourAxes& axes = *posed.axes;
   PathPlanning& path = posed.path;
@@ -65,15 +65,15 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
           {contour->path, axes.height(*contour), machine.coordinates, *axes.kinematics(), rows, columns}));
       return list;
     };
-  path.from = posed_at;
-  path.to = served;
-  PathPlan planned = plan_along(path, progress);
+  PathPlan planned = plan_along(path, progress.part(posed_at, served));
 
   const TimeLaw& sampled = planned.motion->law();
   show(axes, machine, planned.verification);
   for (const auto& rows : planned.row_checks) planned.verification.add(rows->checks());
-  if (!given->rests.empty()) planned.verification.add(rest_check(*given, *contour, sampled, progress, served));
-  if (blended) planned.verification.add(tube_checks(*given, *contour, planning.blend_tolerance, progress, served, all));
+  if (!given->rests.empty())
+    planned.verification.add(rest_check(*given, *contour, sampled, progress.part(served, served)));
+  if (blended)
+    planned.verification.add(tube_checks(*given, *contour, planning.blend_tolerance, progress.part(served, all)));
 
   ContourPlan plan;
   plan.notes = contour->notes;
@@ -88,22 +88,23 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
   plan.bound = planned.bound;
   report_blocks(*contour, sampled, planned.cycles.factor, plan);
   report_joints(*contour, *path.moving, axes.shown(), sampled, planned.cycles.factor, planning.corner_angle, plan,
-                progress, all);
+                progress.part(all, all));
   plan.slow_lines =
       slow_lines(*planned.motion, held_limits(axes.machine(), method_row(planning.method), machine.dimension()),
-                 path.feeds, planning.along, slow_lines_listed, progress, all);
-  plan.sections = section_gaps(*path.path, sampled, planned.cycles.factor, planned.section_bounds, progress, all);
+                 path.feeds, planning.along, slow_lines_listed, progress.part(all, all));
+  plan.sections =
+      section_gaps(*path.path, sampled, planned.cycles.factor, planned.section_bounds, progress.part(all, all));
   plan.verification = std::move(planned.verification);
   plan.setpoints = std::move(planned.setpoints);
   plan.path = contour;
   plan.axes = posed.axes;
   plan.motion = std::move(planned.motion);
-  if (planning.what_if) plan.what_if = what_if(given, machine, planning, progress, all, 1.0);
+  if (planning.what_if) plan.what_if = what_if(given, machine, planning, progress.part(all, 1));
   return plan;
 }
 
 ContourPlan plan_contour(Contour contour, const ToolMachine& machine, const ContourPlanning& planning) {
-  SilentProgress silent;
+  Progress silent;
   return plan_contour(std::move(contour), machine, planning, silent);
 }
 

@@ -7,12 +7,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/cam/solution.hpp"
 #include "core/cam/spline/spline_system.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::cam {
 
@@ -32,7 +29,7 @@ void check_spline(const MotionLawProblem& problem, const std::vector<double>& at
 
 /// `at`: one angle per point. Throws InvalidInput as check_spline() does, and Infeasible where no order of conversion
 /// ends with all ranges kept, or section limits do not hold: this method does not know them.
-LawSolution solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at, Progress& progress,
+LawSolution solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at, Progress progress,
                              const ActiveSetOptions& options = {});
 
 }  // namespace bahnwerk::cam

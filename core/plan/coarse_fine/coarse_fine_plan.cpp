@@ -65,7 +65,7 @@ std::vector<SectionGap> slowest(std::vector<SectionGap> sections) {
 class CoarseFineProblem final : public MotionProblem {
  public:
   CoarseFineProblem(Contour input, const CoarseFineMachine& machine, const ContourPlanning& planning,
-                    const RedundancyOptions& options, Progress& progress)
+                    const RedundancyOptions& options, Progress progress)
       : machine_(machine),
         planning_(planning),
         options_(options),
@@ -88,7 +88,7 @@ class CoarseFineProblem final : public MotionProblem {
     task.machine.axes.resize(moving_);
     RedundancyOptions options = options_;
     options.corner_angle = planning_.corner_angle;
-    choice_.emplace(std::move(task), options, progress_, bounded(), planned);
+    choice_.emplace(std::move(task), options, progress_.part(bounded(), planned));
     if (!take_next()) choice_->refuse();
   }
 
@@ -115,13 +115,11 @@ class CoarseFineProblem final : public MotionProblem {
     VerifierInput head{*path_.path, head_, plan_.head->law(), path_.feeds_to_verify, path_.rests};
     head.corner_angle = planning_.corner_angle;
     head.check_jerk = machine_.limits_jerk();
-    head.progress_from = planned, head.progress_to = between;
-    Verification verdict = verify_motion(head, progress_);
+    Verification verdict = verify_motion(head, progress_.part(planned, between));
     CoarseFineToVerify split{*path_.path, plan_.head->law(), *plan_.coarse, coarse_axes_, fine_axes_};
     split.check_jerk = machine_.limits_jerk();
     split.cycle_time = machine_.cycle_time;
-    split.progress_from = between, split.progress_to = verified;
-    verdict.add(coarse_fine_checks(split, progress_));
+    verdict.add(coarse_fine_checks(split, progress_.part(between, verified)));
     std::vector<bool> centred;
     for (const CoarseFineAxis& axis : machine_.axes) centred.push_back(axis.centred);
     verdict.add(centre_checks(*plan_.head, *plan_.coarse, fine_axes_, centred));
@@ -156,9 +154,9 @@ class CoarseFineProblem final : public MotionProblem {
 
   std::vector<Check> more_checks() override {
     std::vector<Check> list;
-    if (!given_->rests.empty()) list.push_back(rest_check(*given_, *contour_, plan_.head->law(), progress_, 1));
+    if (!given_->rests.empty()) list.push_back(rest_check(*given_, *contour_, plan_.head->law(), progress_.part(1, 1)));
     if (blended())
-      for (Check& check : tube_checks(*given_, *contour_, planning_.blend_tolerance, progress_, 1, 1))
+      for (Check& check : tube_checks(*given_, *contour_, planning_.blend_tolerance, progress_.part(1, 1)))
         list.push_back(std::move(check));
     return list;
   }
@@ -183,15 +181,16 @@ class CoarseFineProblem final : public MotionProblem {
     plan.iterations = result_.iterations;
     plan.pieces = sampled.pieces().size();
     report_blocks(*contour_, sampled, cycles_factor_, plan);
-    report_joints(*contour_, moving_, sampled, cycles_factor_, planning_.corner_angle, plan, progress_, 1);
-    plan.slow_lines = slow_lines(*plan_.head, head_, path_.feeds, {}, slow_lines_listed, progress_, 1);
+    report_joints(*contour_, moving_, sampled, cycles_factor_, planning_.corner_angle, plan, progress_.part(1, 1));
+    plan.slow_lines = slow_lines(*plan_.head, head_, path_.feeds, {}, slow_lines_listed, progress_.part(1, 1));
     std::vector<SectionGap> sections;
-    plan.sections = section_gaps(*path_.path, sampled, cycles_factor_, section_bounds_, progress_, 1, &sections);
+    plan.sections =
+        section_gaps(*path_.path, sampled, cycles_factor_, section_bounds_, progress_.part(1, 1), &sections);
     plan_.slow_sections = slowest(std::move(sections));
     plan_.fastest = result_.fastest;
     plan_.energy = acceleration_energy(*plan_.coarse);
     for (double& energy : plan_.energy) energy *= std::pow(cycles_factor_, 3);
-    ProgressScope scope(progress_, "report", 1, 1);
+    ProgressScope scope(progress_.part(1, 1), "report");
     plan_.rms = rms_accelerations(*plan_.head, *plan_.coarse, scope);
     for (const AxisLimits& axis : coarse_axes_)
       plan_.peak_coarse_acceleration.push_back(value(CheckedQuantity::axis, 2, axis.name));
@@ -219,7 +218,8 @@ class CoarseFineProblem final : public MotionProblem {
   void prepare() {
     ContourPlanning planning = planning_;
     planning.method = machine_.limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
-    PreparedContour prepared_contour = prepare_contour(given_, head_limits(machine_), planning, progress_, 0, posed());
+    PreparedContour prepared_contour =
+        prepare_contour(given_, head_limits(machine_), planning, progress_.part(0, posed()));
     contour_ = std::move(prepared_contour.driven);
     path_ = std::move(prepared_contour.path);
     path_.planned.reset();
@@ -230,10 +230,10 @@ class CoarseFineProblem final : public MotionProblem {
     moving_head_.axes.resize(moving_), moving_coarse_.resize(moving_), moving_fine_.resize(moving_);
     const PathTask head = head_task();
     const double between = posed() + 0.8 * (bounded() - posed());
-    bound_ = lower_bound(head, planning_.corner_angle, progress_, posed(), between, &section_bounds_);
+    bound_ = lower_bound(head, planning_.corner_angle, progress_.part(posed(), between), &section_bounds_);
     bound_.basis += ", limits of coarse and fine axes summed";
     const StrokeGain gain =
-        raise_by_stroke({head, moving_coarse_, moving_fine_, between, bounded()}, section_bounds_, progress_);
+        raise_by_stroke({head, moving_coarse_, moving_fine_}, section_bounds_, progress_.part(between, bounded()));
     bound_.value += gain.duration;
     if (gain.sections > 0)
       bound_.basis += "; the way of the coarse axes in " + std::to_string(gain.sections) + " sections";
@@ -249,7 +249,7 @@ class CoarseFineProblem final : public MotionProblem {
     if (!fastest) return;
     const std::vector<double> times = section_times(plan_.head->law(), 1, section_bounds_);
     const double gain =
-        gain_of_chains({head_task(), moving_coarse_, moving_fine_, 1, 1}, section_bounds_, times, progress_);
+        gain_of_chains({head_task(), moving_coarse_, moving_fine_}, section_bounds_, times, progress_.part(1, 1));
     if (!(gain > 0)) return;
     bound_.value += gain;
     bound_.basis += "; sections with their neighbours";
@@ -283,7 +283,7 @@ class CoarseFineProblem final : public MotionProblem {
   const CoarseFineMachine& machine_;
   const ContourPlanning& planning_;
   const RedundancyOptions& options_;
-  Progress& progress_;
+  Progress progress_;
   Machine head_;  // what head, coarse and fine axes are held to
   std::vector<AxisLimits> coarse_axes_, fine_axes_;
   std::shared_ptr<const Contour> given_, contour_;
@@ -322,11 +322,10 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine) {
 }
 
 CoarseFinePlan plan_coarse_fine(Contour contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
-                                const RedundancyOptions& options, Progress& progress) {
+                                const RedundancyOptions& options, Progress progress) {
   CoarseFineProblem problem(std::move(contour), machine, planning, options, progress);
   PipelineOptions pipeline{machine.cycle_time, planning.max_setpoints, max_corrections};
-  pipeline.rows_from = CoarseFineProblem::verified;
-  return problem.report(plan_motion(problem, pipeline, progress));
+  return problem.report(plan_motion(problem, pipeline, progress.part(CoarseFineProblem::verified, 1)));
 }
 
 }  // namespace bahnwerk

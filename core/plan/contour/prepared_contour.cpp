@@ -11,7 +11,7 @@
 namespace bahnwerk {
 
 PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
-                                const ContourPlanning& planning, Progress& progress, double from, double to) {
+                                const ContourPlanning& planning, Progress progress) {
   constexpr double rounded = 0.2;  // part of the progress at which rounding ends
   PreparedContour posed{given, std::make_shared<const ContourAxes>(given, machine), {}};
   const ContourAxes& axes = *posed.axes;
@@ -19,12 +19,11 @@ PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, con
   if (planning.corner_mode == CornerMode::blend) {
     const MethodRow& method = method_row(planning.method);
     const Machine held = held_limits(axes.machine(), method, axes.moved());
-    const double between = from + rounded * (to - from);
     std::vector<BlendSection> sections;
     auto blended = std::make_shared<const Contour>(blend(*given, {planning.blend_tolerance, planning.corner_angle},
-                                                         axes.tool_limits(held), progress, from, between, &sections));
+                                                         axes.tool_limits(held), progress.part(0, rounded), &sections));
     RoundingChoice choice =
-        choose_rounding(given, std::move(blended), sections, axes, held, method, planning, progress, between, to);
+        choose_rounding(given, std::move(blended), sections, axes, held, method, planning, progress.part(rounded, 1));
     posed.driven = std::move(choice.driven);
     path.planned = std::make_shared<MethodResult>(std::move(choice.planned));
   }

@@ -2,6 +2,7 @@
 /// A contour prepared for the pipeline: rounded where that is requested and makes it quicker.
 #include <memory>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/plan/contour/contour_axes.hpp"
 #include "core/plan/contour_plan.hpp"
@@ -9,17 +10,14 @@
 
 namespace bahnwerk {
 
-class Progress;
-
 struct PreparedContour {
   std::shared_ptr<const Contour> driven;
   std::shared_ptr<const ContourAxes> axes;
-  PathPlanning path;  ///< problem of the pipeline; the caller adds blocks and setpoints; its progress begins at `to`
+  PathPlanning path;  ///< problem of the pipeline; the caller adds blocks and setpoints
 };
 
-/// Returns the prepared contour. Throws what rounding and planning throw. Progress runs from `from` to `to`; they are
-/// equal if corners stay.
+/// Returns the prepared contour. Throws what rounding and planning throw.
 PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
-                                const ContourPlanning& planning, Progress& progress, double from, double to);
+                                const ContourPlanning& planning, Progress progress);
 
 }  // namespace bahnwerk

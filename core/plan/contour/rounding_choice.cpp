@@ -42,7 +42,7 @@ class Chooser {
  public:
   Chooser(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
           const std::vector<BlendSection>& places, const ContourAxes& axes, const Machine& machine,
-          const MethodRow& method, const MethodOptions& options, Progress& progress, double from, double to)
+          const MethodRow& method, const MethodOptions& options, Progress progress)
       : given_(given),
         rounded_(std::move(rounded)),
         axes_(axes),
@@ -50,9 +50,7 @@ class Chooser {
         method_(method),
         options_(options),
         progress_(progress),
-        stage_progress_(progress, "planning", from, to),
-        from_(from),
-        to_(to) {
+        stage_progress_(progress, "planning") {
     for (std::size_t i = 0; i < places.size(); ++i) {
       const bool last = i + 1 == places.size();
       sections_.push_back({places[i].given,
@@ -69,11 +67,10 @@ class Chooser {
 
   RoundingChoice run() {
     constexpr double first = 0.9;  // part of the progress
-    const double middle = from_ + first * (to_ - from_);
-    MethodResult law = plan(rounded_, from_, middle);
+    MethodResult law = plan(rounded_, progress_.part(0, first));
     stage_progress_.done(first);
     find_times(law.law);
-    if (!plan_with_stops(middle)) return {std::move(rounded_), std::move(law)};
+    if (!plan_with_stops(progress_.part(first, 1))) return {std::move(rounded_), std::move(law)};
     for (Section& s : sections_) {
       s.stops = s.stopping_law.duration > 0 && s.stopping_law.duration < quicker * s.law.duration;
       count_ += s.stops ? 1 : 0;
@@ -84,10 +81,10 @@ class Chooser {
   }
 
  private:
-  MethodResult plan(const std::shared_ptr<const Contour>& contour, double from, double to) {
+  MethodResult plan(const std::shared_ptr<const Contour>& contour, Progress progress) {
     const std::shared_ptr<const AxisPath> axes = axes_.along(contour).moving;
     const PathTask task{*axes, machine_, contour->feeds(), contour->rest_places()};
-    return method_.plan(task, options_, 0, progress_, from, to);
+    return method_.plan(task, options_, 0, progress);
   }
 
   /// Computes the rounded law's time of every section; a section at whose begin it does not rest belongs to the one
@@ -114,7 +111,7 @@ class Chooser {
 
   /// Plans the sections that may be quicker with stops, concatenated to a path of their own. Returns false if there are
   /// none.
-  bool plan_with_stops(double from) {
+  bool plan_with_stops(Progress progress) {
     const std::shared_ptr<const AxisPath> axes = axes_.along(given_).moving;
     const StoppingTime stopping(*given_, *axes, machine_, options_.corner_angle);
     const std::vector<double> feeds = given_->feeds();
@@ -134,7 +131,7 @@ class Chooser {
       }
     }
     if (stopping_.path.empty()) return false;
-    stopping_result_ = plan(borrowed(stopping_), from, to_);
+    stopping_result_ = plan(borrowed(stopping_), progress);
     stage_progress_.done(1);
     std::size_t next = 0;
     for (Section& s : sections_)
@@ -231,9 +228,8 @@ class Chooser {
   const Machine& machine_;
   const MethodRow& method_;
   const MethodOptions& options_;
-  Progress& progress_;
+  Progress progress_;
   ProgressScope stage_progress_;
-  double from_, to_;
   std::vector<Section> sections_;
   Contour stopping_;
   MethodResult stopping_result_;
@@ -245,8 +241,8 @@ class Chooser {
 RoundingChoice choose_rounding(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
                                const std::vector<BlendSection>& sections, const ContourAxes& axes,
                                const Machine& machine, const MethodRow& method, const MethodOptions& options,
-                               Progress& progress, double from, double to) {
-  return Chooser(given, std::move(rounded), sections, axes, machine, method, options, progress, from, to).run();
+                               Progress progress) {
+  return Chooser(given, std::move(rounded), sections, axes, machine, method, options, progress).run();
 }
 
 }  // namespace bahnwerk

@@ -5,14 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/blend.hpp"
 #include "core/machine/machine.hpp"
 #include "core/plan/contour/contour_axes.hpp"
 #include "core/plan/planning_method.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct RoundingChoice {
   std::shared_ptr<const Contour> driven;
@@ -32,6 +31,6 @@ struct RoundingChoice {
 RoundingChoice choose_rounding(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
                                const std::vector<BlendSection>& sections, const ContourAxes& axes,
                                const Machine& machine, const MethodRow& method, const MethodOptions& options,
-                               Progress& progress, double from, double to);
+                               Progress progress);
 
 }  // namespace bahnwerk

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
 
 namespace bahnwerk {
@@ -23,13 +23,12 @@ void scale(Limits& limits, const Change& change) {
 }
 
 std::optional<double> duration(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
-                               const ContourPlanning& planning, Progress& progress) {
+                               const ContourPlanning& planning, Progress progress) {
   constexpr double posed_at = 0.5;
   try {
-    PreparedContour posed = prepare_contour(given, machine, planning, progress, 0, posed_at);
+    PreparedContour posed = prepare_contour(given, machine, planning, progress.part(0, posed_at));
     posed.path.only_duration = true;
-    posed.path.from = posed_at, posed.path.to = 1;
-    const PathPlan plan = plan_along(posed.path, progress);
+    const PathPlan plan = plan_along(posed.path, progress.part(posed_at, 1));
     if (plan.verification.passed) return plan.duration;
   } catch (const Stopped&) {
     throw;
@@ -42,22 +41,22 @@ std::optional<double> duration(const std::shared_ptr<const Contour>& given, cons
 }  // namespace
 
 std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
-                            const ContourPlanning& planning, Progress& progress, double from, double to) {
+                            const ContourPlanning& planning, Progress progress) {
   std::vector<Change> changes;
   if (planning.corner_mode == CornerMode::blend) changes.push_back({WhatIf::What::tolerance, 2});
   if (method_row(planning.method).limits_jerk)
     changes.insert(changes.end(), {{WhatIf::What::jerk, 0.5}, {WhatIf::What::jerk, 2}});
   changes.push_back({WhatIf::What::acceleration, 0.5});
   std::vector<WhatIf> answers;
-  const double share = (to - from) / static_cast<double>(changes.size());
+  const double share = 1 / static_cast<double>(changes.size());
   for (const Change& change : changes) {
     ToolMachine other = machine;
     for (AxisLimits& axis : other.axes) scale(axis, change);
     ContourPlanning asked = planning;
     scale(asked.along, change);
     if (change.what == WhatIf::What::tolerance) asked.blend_tolerance *= change.factor;
-    const double begin = from + share * static_cast<double>(answers.size());
-    ProgressPart part(progress, stage, begin, begin + share);
+    const double begin = share * static_cast<double>(answers.size());
+    const Progress part = progress.part(begin, begin + share).named(stage);
     answers.push_back({change.what, change.factor, duration(given, other, asked, part)});
   }
   return answers;

@@ -56,7 +56,7 @@ std::vector<std::optional<double>> tried_swivels(const WindingRequest& request) 
 }
 
 std::vector<FixedPiece> needle_support(const WindingRequest& request, const std::vector<winding::Turn>& turns,
-                                       winding::NeedleModel model, Progress& progress) {
+                                       winding::NeedleModel model, Progress progress) {
   model.shape = request.needle, model.clearance = request.least_clearance;
   if (const auto* stator = std::get_if<StatorPart>(&request.part))
     return winding::support_points(*stator, request.coils, turns, model, progress);

@@ -15,7 +15,7 @@ std::vector<std::optional<double>> tried_swivels(const WindingRequest& request);
 /// Returns the support points of these turns for the needle's model, with the shape and the clearance of the request.
 /// Throws what support_points() throws.
 std::vector<winding::FixedPiece> needle_support(const WindingRequest& request, const std::vector<winding::Turn>& turns,
-                                                winding::NeedleModel model, Progress& progress);
+                                                winding::NeedleModel model, Progress progress);
 
 /// Checks that the needle's holder and the swivel stay outside the slot at these support points. Throws InvalidInput
 /// naming needle.length or machine.l_tool where the tip goes deeper into the slot than they are long.

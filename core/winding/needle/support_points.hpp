@@ -6,12 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/winding/needle/wire_pull.hpp"
 #include "core/winding/part/turns.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -67,9 +64,9 @@ struct NeedleModel {
 /// Infeasible where a head is too short for its arc, or the wire would leave the needle backwards; Stopped. O(turns):
 /// some µs each, 2 ms where tips are moved.
 std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
-                                       const std::vector<Turn>& turns, const NeedleModel& model, Progress& progress);
+                                       const std::vector<Turn>& turns, const NeedleModel& model, Progress progress);
 std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model,
-                                       Progress& progress);
+                                       Progress progress);
 
 /// Returns the needle in a stator's slot: the tip from which a wire along `along` is laid at `place`, for a needle that
 /// points away from the axis or, with a limit, through `pivot` as far as the limit allows. A pivot less than 1 mm

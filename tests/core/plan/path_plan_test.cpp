@@ -35,7 +35,7 @@ struct PathPlanFiveAxes : testing::Test {
   }
   PathPlan plan(PlanningMethod method) {
     planning.method = method;
-    SilentProgress progress;
+    Progress progress;
     PathPlan plan = plan_along(planning, progress);
     for (const Check& check : plan.verification.checks)
       EXPECT_TRUE(check.passed) << name_of<PlanningMethod>(method, planning_methods) << ": " << check_name(check) << ' '
@@ -89,7 +89,7 @@ TEST_F(PathPlanFiveAxes, DwellsLastAndCount) {
 TEST_F(PathPlanFiveAxes, VerifiedAreTheFeedsThatWereGiven) {
   for (double& feed : planning.feeds_to_verify) feed = 20;  // the plan knows 150
   planning.method = PlanningMethod::time_optimal;
-  SilentProgress progress;
+  Progress progress;
   const PathPlan p = plan_along(planning, progress);
   EXPECT_FALSE(p.verification.passed);
 }

@@ -20,11 +20,11 @@ const Machine machine{
     {AxisLimits("x", 500, 5000, 1e5), AxisLimits("y", 500, 5000, 1e5), AxisLimits("z", 500, 5000, 1e5)}, 0.001};
 
 TEST(PreparedContour, CornersStayWhereNoRoundingIsAskedFor) {
-  SilentProgress silent;
+  Progress silent;
   ContourPlanning planning;
   planning.method = PlanningMethod::jerk_limited;
   const auto given = corner();
-  const PreparedContour p = prepare_contour(given, machine, planning, silent, 0, 0);
+  const PreparedContour p = prepare_contour(given, machine, planning, silent.part(0, 0));
   EXPECT_EQ(p.driven, given);
   EXPECT_EQ(p.path.path->axes(), 3u);
   EXPECT_EQ(p.path.moving->axes(), 2u) << "the third axis stands still";
@@ -37,13 +37,13 @@ TEST(PreparedContour, CornersStayWhereNoRoundingIsAskedFor) {
 }
 
 TEST(PreparedContour, RoundedCornersComeWithTheirLaw) {
-  SilentProgress silent;
+  Progress silent;
   ContourPlanning planning;
   planning.method = PlanningMethod::jerk_limited;
   planning.corner_mode = CornerMode::blend;
   planning.blend_tolerance = 0.05;
   const auto given = corner();
-  const PreparedContour p = prepare_contour(given, machine, planning, silent, 0, 0.1);
+  const PreparedContour p = prepare_contour(given, machine, planning, silent.part(0, 0.1));
   EXPECT_GT(p.driven->path.size(), 2u);
   EXPECT_LT(p.driven->path.length(), given->path.length());
   ASSERT_NE(p.path.planned, nullptr);

@@ -17,7 +17,7 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-SilentProgress silent;
+Progress silent;
 
 struct Wound {
   std::vector<Coil> coils;
