@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/redundant/head/clusters.hpp"
+#include "core/redundant/chain/clusters.hpp"
 
 namespace bahnwerk {
 namespace {

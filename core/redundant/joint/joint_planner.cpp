@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/redundant/chain/controllable_set.hpp"
-#include "core/redundant/coarse/following.hpp"
 #include "core/redundant/coarse/lone_move.hpp"
+#include "core/redundant/head/following.hpp"
 
 namespace bahnwerk {
 namespace {
