@@ -10,8 +10,8 @@
 #include "core/motion/law/dwell.hpp"
 #include "core/motion/setpoints/path_setpoints.hpp"
 #include "core/plan/pipeline.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
-#include "core/verify/verifier.hpp"
 
 namespace bahnwerk {
 namespace {

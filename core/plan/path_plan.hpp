@@ -70,12 +70,12 @@ struct PathPlan {
   std::size_t iterations = 0;  ///< passes of the planner over its grid
 };
 
-/// Plans, verifies and samples a motion along a path. The verification covers the motion (core/verify/verifier.hpp),
-/// every setpoint (core/verify/setpoints/setpoint_checks.hpp), and that the duration is not below its bound. The plan
-/// is repeated on a finer grid, at most three times, if the verifier rejects it, or if its method converges to the
-/// bound and the gap is above 5e-6 (for at most 20 000 cells: above 5e-7, while finer grids gain 2e-7; with a braking
-/// reserve while they change the duration by that). The returned plan may still fail verification: see
-/// `verification.passed`. A limit exceeded by rounding only slows the section accordingly.
+/// Plans, verifies and samples a motion along a path. The verification covers the motion
+/// (core/verify/law/verifier.hpp), every setpoint (core/verify/setpoints/setpoint_checks.hpp), and that the duration is
+/// not below its bound. The plan is repeated on a finer grid, at most three times, if the verifier rejects it, or if
+/// its method converges to the bound and the gap is above 5e-6 (for at most 20 000 cells: above 5e-7, while finer grids
+/// gain 2e-7; with a braking reserve while they change the duration by that). The returned plan may still fail
+/// verification: see `verification.passed`. A limit exceeded by rounding only slows the section accordingly.
 ///
 /// Cost: that of the method, about 1 µs per grid cell for verification and bound, and 0.1 to 0.3 µs per setpoint.
 /// Throws InvalidInput, also for a motion of more than max_setpoints, UnreachablePose and Stopped.

@@ -21,10 +21,10 @@
 #include "core/machine/degrees.hpp"
 #include "core/plan/coarse_fine/axis_drawing.hpp"
 #include "core/plan/contour/contour_axes.hpp"
+#include "core/plan/contour/contour_drawing.hpp"
 #include "core/plan/contour/contour_faults.hpp"
+#include "core/plan/contour/contour_outline.hpp"
 #include "core/plan/contour/driven_segments.hpp"
-#include "core/plan/contour_drawing.hpp"
-#include "core/plan/contour_outline.hpp"
 #include "core/plan/path_plan.hpp"
 #include "core/plan/planning_method.hpp"
 

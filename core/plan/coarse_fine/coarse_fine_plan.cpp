@@ -17,6 +17,7 @@
 #include "core/redundant/methods/candidates.hpp"
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "core/verify/redundant/centre_checks.hpp"
 #include "core/verify/redundant/coarse_fine_checks.hpp"
 #include "core/verify/redundant/stroke_bound.hpp"
@@ -24,7 +25,6 @@
 #include "core/verify/redundant/sum_checks.hpp"
 #include "core/verify/setpoints/motion_setpoint_checks.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
-#include "core/verify/verifier.hpp"
 
 namespace bahnwerk {
 namespace {

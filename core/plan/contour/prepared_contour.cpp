@@ -6,7 +6,7 @@
 
 #include "core/contour/blend.hpp"
 #include "core/plan/contour/rounding_choice.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 
 namespace bahnwerk {
 

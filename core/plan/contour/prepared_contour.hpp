@@ -4,7 +4,7 @@
 
 #include "core/contour/contour.hpp"
 #include "core/plan/contour/contour_axes.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "core/plan/path_plan.hpp"
 
 namespace bahnwerk {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 

@@ -16,7 +16,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/motion/axes/bow.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"

@@ -9,7 +9,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/path_motion.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk {

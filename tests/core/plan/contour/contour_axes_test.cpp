@@ -16,7 +16,7 @@
 #include "core/machine/polar_machine.hpp"
 #include "core/machine/rotary_delta.hpp"
 #include "core/machine/scara_machine.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/source.hpp"
 

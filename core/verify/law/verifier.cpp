@@ -1,4 +1,4 @@
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "core/plan/slow_lines.hpp"
+#include "core/plan/contour/slow_lines.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -1,5 +1,5 @@
 // The table of the lines that cost most time: whose they are, how long, and why.
-#include "core/plan/slow_lines.hpp"
+#include "core/plan/contour/slow_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/contour/gcode.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 namespace {
