@@ -275,14 +275,6 @@ Planned plan_with_fine_axes(const ContourJob& job, Progress& progress) {
   return planned;
 }
 
-/// Returns the machine with the limits that the job's method holds, in the units of setpoints.
-Machine limits_held(const ContourJob& job) {
-  Machine machine = in_degrees(job.head);
-  if (!method_row(job.planning.method).limits_jerk)
-    for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
-  return machine;
-}
-
 /// Returns all coarse and fine axes with their limits, named as their columns are.
 Machine stage_axes(const CoarseFineMachine& machine) {
   Machine axes;
@@ -344,7 +336,7 @@ struct ContourKind {
     Limits along = job.planning.along;
     along.velocity = unlimited;  // it is part of the feeds
     if (!job.coarse_fine) {
-      declare_axes(facts.limits, limits_held(job));
+      declare_axes(facts.limits, held_limits(in_degrees(job.head), method_row(job.planning.method)));
       declare_path(facts.limits, along);
       return facts;
     }

@@ -5,7 +5,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
-#include "core/plan/contour/prepared_contour.hpp"
+#include "core/plan/contour/rounding_choice.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -24,12 +24,14 @@ void scale(Limits& limits, const Change& change) {
 
 std::optional<double> duration(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
                                const ContourPlanning& planning, Progress& progress) {
-  constexpr double posed_at = 0.5;
+  constexpr double prepared_at = 0.1, chosen_at = 0.5;
   try {
-    PreparedContour posed = prepare_contour(given, machine, planning, progress, 0, posed_at);
-    posed.path.only_duration = true;
-    posed.path.from = posed_at, posed.path.to = 1;
-    const PathPlan plan = plan_along(posed.path, progress);
+    const PreparedContour prepared = prepare_contour(given, machine, planning, progress, 0, prepared_at);
+    DrivenContour driven = choose_rounding(prepared, planning, progress, prepared_at, chosen_at);
+    PathPlanning path = path_planning(prepared, driven.contour, planning);
+    path.only_duration = true;
+    path.from = chosen_at, path.to = 1;
+    const PathPlan plan = plan_along(path, progress, std::move(driven.law));
     if (plan.verification.passed) return plan.duration;
   } catch (const Stopped&) {
     throw;

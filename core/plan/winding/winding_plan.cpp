@@ -179,16 +179,17 @@ class Planner {
   PathPlanning planning_of(const winding::NeedlePath& path, const Path& tool, const MachinePath& machine) const {
     PathPlanning planning;
     planning.path = planning.moving = machine.axes;
-    planning.machine = {machine.kinematics->axes(), request_.cycle_time};
     const std::size_t n = tool.size();
     const CurvatureFeedLimits curvature{request_.chord_tolerance, request_.cycle_time, request_.half_speed_curvature,
                                         request_.along.velocity};
     planning.feeds = planning.feeds_to_verify = curvature_feeds(tool, curvature);
     planning.rests = std::vector<bool>(n + 1, false);
     planning.rests.front() = planning.rests.back() = true;
-    planning.method = request_.law == FeedLaw::bspline ? PlanningMethod::spline : request_.feed;
     planning.options.along = request_.along;
     planning.options.profile = request_.profile;
+    planning.method =
+        method_row(request_.law == FeedLaw::bspline ? PlanningMethod::spline : request_.feed, planning.options);
+    planning.machine = held_limits({machine.kinematics->axes(), request_.cycle_time}, planning.method);
     // The feed on straight pieces limits the speed; it is not a required feed.
     if (!(request_.half_speed_curvature < unlimited) && request_.along.velocity < unlimited)
       planning.options.feed = request_.along.velocity;
