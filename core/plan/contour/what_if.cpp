@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
 #include "core/plan/contour/rounding_choice.hpp"
+#include "core/plan/trial.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -25,19 +25,15 @@ void scale(Limits& limits, const Change& change) {
 std::optional<double> duration(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
                                const ContourPlanning& planning, Progress& progress) {
   constexpr double prepared_at = 0.1, chosen_at = 0.5;
-  try {
+  const auto planned = trial([&] {
     const PreparedContour prepared = prepare_contour(given, machine, planning, progress, 0, prepared_at);
     DrivenContour driven = choose_rounding(prepared, planning, progress, prepared_at, chosen_at);
     PathPlanning path = path_planning(prepared, driven.contour, planning);
     path.only_duration = true;
     path.from = chosen_at, path.to = 1;
-    const PathPlan plan = plan_along(path, progress, std::move(driven.law));
-    if (plan.verification.passed) return plan.duration;
-  } catch (const Stopped&) {
-    throw;
-  } catch (const PlanningError&) {
-    // No plan exists with this tolerance or limit, which is a valid answer.
-  }
+    return plan_along(path, progress, std::move(driven.law));
+  });
+  if (planned && planned->verification.passed) return planned->duration;
   return {};
 }
 

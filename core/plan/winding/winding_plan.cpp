@@ -13,6 +13,7 @@
 #include "core/motion/feed/curvature_feed.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/numeric/bisection.hpp"
+#include "core/plan/trial.hpp"
 #include "core/plan/winding/bend_reach.hpp"
 #include "core/plan/winding/coil_passes.hpp"
 #include "core/plan/winding/laid_coils.hpp"
@@ -59,24 +60,22 @@ class Planner {
       double most = -unlimited;
       std::optional<WindingPlan> refused;
       std::vector<FixedPiece> before;
-      for (const std::optional<double>& swivel : swivels) try {
+      for (const std::optional<double>& swivel : swivels) {
+        // A smaller swivel may have a plan; without any, the reason is found again below.
+        auto plan = trial([&]() -> std::optional<WindingPlan> {
           support(swivel);
-          if (same_poses(plan_.support, before)) continue;
+          if (same_poses(plan_.support, before)) return std::nullopt;
           before = plan_.support;
           find_path();
           const double found = plan_.clearance.minimum;
-          if (found < request_.least_clearance) {
-            if (found > most) most = found, clearest = swivel;
-            continue;
-          }
-          WindingPlan plan = moved();
-          if (plan.motion.verification.passed) return plan;
-          if (!refused) refused = std::move(plan);
-        } catch (const Stopped&) {
-          throw;
-        } catch (const PlanningError&) {
-          // A smaller swivel may have a plan; without any, the reason is found again below.
-        }
+          if (!(found < request_.least_clearance)) return moved();
+          if (found > most) most = found, clearest = swivel;
+          return std::nullopt;
+        });
+        if (!plan || !*plan) continue;
+        if ((*plan)->motion.verification.passed) return **std::move(plan);
+        if (!refused) refused = *std::move(plan);
+      }
       if (refused) return std::move(*refused);
     }
     support(clearest);
@@ -92,7 +91,9 @@ class Planner {
     winding::NeedleModel model = request_.model;
     model.pivot_limit = swivel;
     ProgressPart supporting(progress_, "support points", coils_laid, laid);
-    plan_.support = needle_support(request_, plan_.turns, model, supporting);
+    auto found = needle_support(request_, plan_.turns, model, supporting);
+    if (!found) throw Infeasible(in_words(found.reason()));
+    plan_.support = *std::move(found);
     check_depth(request_, plan_.support);
   }
 
@@ -129,18 +130,17 @@ class Planner {
 
   winding::NeedlePath linked_by(LinkObjective objective) {
     ProgressPart linking(progress_, "link", laid, linked);
-    return linked_path(request_, plan_.support, objective, linking);
+    auto path = linked_path(request_, plan_.support, objective, linking);
+    if (!path) throw Infeasible(in_words(path.reason(), plan_.support));
+    return *std::move(path);
   }
 
   /// Replaces the smoothest links by those that take the least time, if the whole path takes less with them.
   void quicken() {
     const PosePath tool = pose_path(plan_.path.curves());
-    std::shared_ptr<const Kinematics> machine;
-    try {
-      machine = machine_path(tool.tool, tool.orientation, request_.configurations).kinematics;
-    } catch (const UnreachablePose&) {
-      return;  // the fault is reported with its place when the path is final
-    }
+    const auto reached = trial([&] { return machine_path(tool.tool, tool.orientation, request_.configurations); });
+    if (!reached) return;  // the fault is reported with its place when the path is final
+    const std::shared_ptr<const Kinematics>& machine = reached->kinematics;
     const LinkTimer timer(*machine, request_.along, request_.cycle_time, progress_);
     const winding::NeedlePath substitute = linked_by(LinkObjective::control_distance);
     ProgressPart timing(progress_, "link", linked, linked);
@@ -160,13 +160,8 @@ class Planner {
     plan_.link_times = times;
   }
   static bool within_ranges(const winding::NeedlePath& path, const std::shared_ptr<const Kinematics>& machine) {
-    try {
-      const PosePath tool = pose_path(path.curves());
-      machine_path(tool.tool, tool.orientation, {machine});
-      return true;
-    } catch (const UnreachablePose&) {
-      return false;
-    }
+    const PosePath tool = pose_path(path.curves());
+    return bool(trial([&] { return machine_path(tool.tool, tool.orientation, {machine}); }));
   }
 
   /// This stage covers the job's progress from `linked` to `to`.
@@ -205,19 +200,14 @@ class Planner {
   /// Returns the duration of the whole path with the requested feed, s; infinite if that is impossible.
   double timed(const winding::NeedlePath& path) {
     const PosePath tool = pose_path(path.curves());
-    try {
+    const auto duration = trial([&] {
       const MachinePath machine = machine_path(tool.tool, tool.orientation, request_.configurations);
       PathPlanning planning = planning_of(path, tool.tool, machine);
       planning.only_duration = true;
       planning.from = planning.to = linked;
       return plan_along(planning, progress_).duration;
-    } catch (const UnreachablePose&) {
-      return unlimited;
-    } catch (const FeedTooFast&) {
-      return unlimited;
-    } catch (const Infeasible&) {
-      return unlimited;
-    }
+    });
+    return duration ? *duration : unlimited;
   }
 
   std::shared_ptr<const Path> tool_path() const { return {plan_.tool, &plan_.tool->tool}; }
@@ -236,10 +226,12 @@ class Planner {
           interpolate(motion, cycles), request_.frame);
     };
     if (request_.interpolator != Interpolator::exact) planning.lag = most_lag;
+    RowCheck* needle = nullptr;
     const WireRows* wire_rows = nullptr;
     planning.row_checks = [&](const PathMotion& motion, const SetpointSource& setpoints, const Verification& verdict) {
       RowChecks list;
       list.push_back(needle_row_check({*plan_.machine.axes, *plan_.machine.kinematics, setpoints, planning.shown}));
+      needle = list.back().get();
       auto rows = std::make_unique<WireRows>(*wire, setpoints, motion, request_.tension.permitted);
       wire_rows = rows.get();
       list.push_back(std::move(rows));
@@ -253,16 +245,14 @@ class Planner {
     planning.from = reached, planning.to = planned;
     plan_.motion = plan_along(planning, progress_);
     Verification& verdict = plan_.motion.verification;
-    const RowChecks rows = std::move(plan_.motion.row_checks);
-    verdict.add(rows[0]->checks());
+    verdict.add(needle->checks());
     verdict.add(
         curvature_checks({*plan_.machine.axes, plan_.motion.motion->law(), request_.cycle_time,
                           request_.chord_tolerance, request_.half_speed_curvature, request_.along.velocity, planned},
                          progress_));
     plan_.wire = wire_rows->figures();
-    verdict.add(rows[1]->checks());
-    verdict.add(rows[2]->checks());
-    verdict.add(rows[3]->checks());
+    for (const auto& rows : std::exchange(plan_.motion.row_checks, {}))
+      if (rows.get() != needle) verdict.add(rows->checks());
   }
 
   /// Measures all interpolators, and takes the setpoints of the requested one; the exact one needs no measurement,
