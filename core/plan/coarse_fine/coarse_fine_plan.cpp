@@ -199,7 +199,7 @@ class CoarseFineProblem final : public MotionProblem {
     ProgressScope scope(progress_, "report", 1, 1);
     plan_.rms = rms_accelerations(*plan_.head, *plan_.coarse, scope);
     for (const AxisLimits& axis : coarse_axes_)
-      plan_.peak_coarse_acceleration.push_back(value(CheckedQuantity::axis, 2, axis.name));
+      plan_.peak_coarse_acceleration.push_back(value(quantity::axis, 2, axis.name));
     plan_.trades = std::move(result_.trades);
     plan_.passes = std::move(result_.passes);
     if (!plan_.passes.empty() && plan_.passes.back().peaks.empty()) plan_.passes.back().peaks = peaks();
@@ -290,7 +290,7 @@ class CoarseFineProblem final : public MotionProblem {
     return true;
   }
 
-  double value(CheckedQuantity quantity, int order, const std::string& axis) {
+  double value(const Quantity& quantity, int order, const std::string& axis) {
     const Check* check = plan_.contour.verification.find(quantity, order, axis);
     return check == nullptr ? 0 : check->value;
   }
@@ -298,11 +298,11 @@ class CoarseFineProblem final : public MotionProblem {
   /// Reports the figures of the motion that is sampled, as verified.
   std::vector<RedundancyPeaks> peaks() {
     std::vector<RedundancyPeaks> list;
-    using enum CheckedQuantity;
     for (const CoarseFineAxis& one : machine_.axes) {
       const std::string coarse = one.name + "c", fine = one.name + "f";
-      list.push_back({value(stroke, 0, fine), value(axis, 1, coarse), value(axis, 2, coarse), value(axis, 1, fine),
-                      value(axis, 2, fine)});
+      list.push_back({value(quantity::stroke, 0, fine), value(quantity::axis, 1, coarse),
+                      value(quantity::axis, 2, coarse), value(quantity::axis, 1, fine),
+                      value(quantity::axis, 2, fine)});
     }
     return list;
   }

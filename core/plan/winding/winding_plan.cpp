@@ -338,7 +338,7 @@ class Planner {
     const double least = request_.least_clearance, found = plan_.clearance.minimum,
                  at = times_at({tool_length(tool, plan_.clearance.move, plan_.clearance.at)}).front();
     plan_.motion.verification.add(
-        verify::make_check(Checked{CheckedQuantity::clearance}, least, found, at, found >= least));
+        verify::make_check(Checked{{"needle clearance", CheckGroup::geometry}}, least, found, at, found >= least));
   }
 
   /// Returns the times at which the needle passes ascending places `lengths`, mm along its path, to 1e-6 of the law's

@@ -44,7 +44,8 @@ std::vector<Check> tube_checks(const Contour& given, const Contour& path, double
                                double from, double to) {
   ProgressScope stage_progress(progress, "verify", from, to);
   stage_progress.report();
-  std::vector<Check> checks{verify::make_check({CheckedQuantity::block_order, 0, "1"}, 0, wrong_blocks(given, path))};
+  std::vector<Check> checks{
+      verify::make_check({{"blocks out of order", CheckGroup::geometry}, 0, "1"}, 0, wrong_blocks(given, path))};
   verify::Worst worst{HUGE_VAL, 0};
   if (checks.back().passed && !given.path.empty() && !path.path.empty()) {
     worst = {};
@@ -57,7 +58,7 @@ std::vector<Check> tube_checks(const Contour& given, const Contour& path, double
       if (std::isnan(found.value) || found.value > worst.value) worst.raise(found.value, found.at);
     }
   }
-  checks.push_back(verify::make_check(Checked{CheckedQuantity::deviation}, tolerance, worst));
+  checks.push_back(verify::make_check({{"deviation from contour", CheckGroup::geometry}}, tolerance, worst));
   stage_progress.done(1);
   stage_progress.report();
   return checks;

@@ -354,7 +354,7 @@ class Sweeper {
     if (peak.tag < in_.law.pieces().size()) worst.at = moment(in_.law.pieces()[peak.tag], peak.at);
     const AxisLimits& axis = in_.machine.axes[channel.axis];
     const int order = static_cast<int>(channel.quantity) + 1;
-    return make_check({CheckedQuantity::axis, order, axis.unit, axis.name}, channel.limit, worst);
+    return make_check({quantity::axis, order, axis.unit, axis.name}, channel.limit, worst);
   }
 
   // Returns the time at which a piece passes the place where its peak was found.
