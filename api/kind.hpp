@@ -10,10 +10,7 @@
 
 #include "api/result_files.hpp"
 #include "api/scene.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 struct PlannedJob;  // api/planned_job.hpp
@@ -44,19 +41,19 @@ struct Kind {
       result_schema;  ///< JSON text of the schema that every result satisfies; served as /v1/schemas/<name>.result
   /// Checks a spec that passed the schema; throws Problem "semantic-violation" naming every fault, and Stopped. Returns
   /// the expected planning time, if the kind can tell.
-  std::optional<PlanningTime> (*check)(const nlohmann::json& spec, Progress& progress);
+  std::optional<PlanningTime> (*check)(const nlohmann::json& spec, Progress progress);
   /// Checks like `check` and returns what can be said of the plan before it is made: `notes`, `estimate` and `outline`
   /// of the answer to POST /v1/check.
-  nlohmann::ordered_json (*preview)(const nlohmann::json& spec, Progress& progress);
+  nlohmann::ordered_json (*preview)(const nlohmann::json& spec, Progress progress);
   /// Plans a spec. Equal specs and versions give identical results. Throws core's errors; never returns an unverified
   /// plan as verified.
-  PlannedJob (*plan)(const nlohmann::json& spec, Progress& progress);
+  PlannedJob (*plan)(const nlohmann::json& spec, Progress progress);
   /// Returns what the views of setpoints need of a spec that was planned (api/views/view_facts.hpp); nullptr where
   /// the kind has no setpoints.
-  std::shared_ptr<const ViewFacts> (*view_facts)(const nlohmann::json& spec, Progress& progress) = nullptr;
+  std::shared_ptr<const ViewFacts> (*view_facts)(const nlohmann::json& spec, Progress progress) = nullptr;
   /// Returns the bodies of a spec that was planned, with members of its result (scene_parts); nullopt where a spec has
   /// no scene. nullptr where the kind has none. Some ms; throws what reading the spec throws.
-  std::optional<Scene> (*scene)(const nlohmann::json& spec, const nlohmann::json& result, Progress& progress) = nullptr;
+  std::optional<Scene> (*scene)(const nlohmann::json& spec, const nlohmann::json& result, Progress progress) = nullptr;
   std::span<const std::string_view> scene_parts = {};  ///< members of the result that `scene` reads, such as a.b
   ResultFiles files = {};                              ///< empty if the kind has no layouts of its own
 };

@@ -7,7 +7,7 @@ namespace {
 
 class Output final : public nlohmann::detail::output_adapter_protocol<char> {
  public:
-  Output(std::string& text, Progress& progress) : text_(text), progress_(progress) {}
+  Output(std::string& text, Progress progress) : text_(text), progress_(progress) {}
   void write_character(char c) override {
     text_.push_back(c);
     ask();
@@ -25,13 +25,13 @@ class Output final : public nlohmann::detail::output_adapter_protocol<char> {
     progress_.report("storing", 1);
   }
   std::string& text_;
-  Progress& progress_;
+  Progress progress_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
-std::string result_text(const PlannedJob& planned, Progress& progress) {
+std::string result_text(const PlannedJob& planned, Progress progress) {
   std::string text;
   const auto output = std::make_shared<Output>(text, progress);
   nlohmann::detail::serializer<nlohmann::ordered_json>(output, ' ').dump(planned.result, false, false, 0);

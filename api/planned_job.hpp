@@ -4,11 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::api {
 struct ViewFacts;  // api/views/view_facts.hpp
@@ -24,6 +21,6 @@ struct PlannedJob {
 
 /// Returns the result document as text, and asks `progress` meanwhile (stage "storing", every 256 KiB): it may have
 /// hundreds of megabytes.
-std::string result_text(const PlannedJob& planned, Progress& progress);
+std::string result_text(const PlannedJob& planned, Progress progress);
 
 }  // namespace bahnwerk::api

@@ -101,9 +101,7 @@ std::string without_secret(std::string_view document) {
 
 /// Reads and checks a whole document; `check(kind, spec, progress)` is the check of its spec.
 template <class Check>
-JobRequest checked_job(std::string_view body, Progress* progress, const Check& check) {
-  SilentProgress silent;
-  Progress& asked = progress ? *progress : silent;
+JobRequest checked_job(std::string_view body, Progress progress, const Check& check) {
   const json document = parse_json(body);
   auto errors = envelope_schema().validate(document);
   if (errors.empty()) check_texts(document, errors);
@@ -121,12 +119,12 @@ JobRequest checked_job(std::string_view body, Progress* progress, const Check& c
   }
   JobRequest request;
   try {
-    asked.report("read", 0);
+    progress.report("read", 0);
     if (kind && document.contains("spec") && document["spec"].is_object())
-      for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec", asked))
+      for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec", progress))
         errors.push_back(std::move(error));
-    asked.report("read", 0);
-    if (errors.empty()) check(*kind, document["spec"], asked);
+    progress.report("read", 0);
+    if (errors.empty()) check(*kind, document["spec"], progress);
   } catch (const Stopped&) {
     request.checked = false;
   }
@@ -158,32 +156,32 @@ std::optional<JobState> job_state(std::string_view text) {
   return std::nullopt;
 }
 
-JobRequest parse_job(std::string_view body, Progress* progress) {
+JobRequest parse_job(std::string_view body, Progress progress) {
   std::optional<PlanningTime> time;
   JobRequest request = checked_job(
-      body, progress, [&](const Kind& kind, const json& spec, Progress& asked) { time = kind.check(spec, asked); });
+      body, progress, [&](const Kind& kind, const json& spec, Progress part) { time = kind.check(spec, part); });
   request.planning_time = std::move(time);
   return request;
 }
 
-ordered_json preview_job(std::string_view body, Progress* progress) {
+ordered_json preview_job(std::string_view body, Progress progress) {
   ordered_json said{{"notes", ordered_json::array()}, {"estimate", nullptr}, {"outline", nullptr}};
   const JobRequest request = checked_job(
-      body, progress, [&](const Kind& kind, const json& spec, Progress& asked) { said = kind.preview(spec, asked); });
+      body, progress, [&](const Kind& kind, const json& spec, Progress part) { said = kind.preview(spec, part); });
   ordered_json answer{{"kind", request.kind}, {"checked", request.checked}};
   answer.update(said);
   return answer;
 }
 
-void check_job(std::string_view document, Progress& progress) {
-  const json read = parse_json(document, &progress);
+void check_job(std::string_view document, Progress progress) {
+  const json read = parse_json(document, progress);
   const Kind& kind = *find_kind(read.at("kind").get_ref<const std::string&>());
   refuse(kind_schema(kind).validate(read.at("spec"), "/spec", progress));
   progress.report("read", 0);
   kind.check(read.at("spec"), progress);
 }
 
-json job_spec(std::string_view document, Progress* progress) {
+json job_spec(std::string_view document, Progress progress) {
   return std::move(parse_json(document, progress).at("spec"));
 }
 

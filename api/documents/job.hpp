@@ -8,10 +8,7 @@
 #include <vector>
 
 #include "api/kind.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 struct PlannedJob;  // api/planned_job.hpp
@@ -46,19 +43,19 @@ struct JobRequest {
 /// duplicate keys), unknown-kind, schema-violation, semantic-violation. The check of the spec asks `progress`, if
 /// given; where that throws Stopped, the request is returned as not checked. Reading the text and checking the envelope
 /// ask nobody, because without them there is no request.
-JobRequest parse_job(std::string_view body, Progress* progress = nullptr);
+JobRequest parse_job(std::string_view body, Progress progress = {});
 
 /// Checks the spec of a request that is not checked. Asks `progress` from the first byte on. Throws Problem, as
 /// parse_job does, and what `progress` throws.
-void check_job(std::string_view document, Progress& progress);
+void check_job(std::string_view document, Progress progress);
 
 /// Checks a job document as parse_job() does and returns {"kind", "notes", "estimate", "outline"}, which is what can be
 /// said of its plan before it is made; with `checked` false and null members where `progress` stopped the check.
-nlohmann::ordered_json preview_job(std::string_view body, Progress* progress = nullptr);
+nlohmann::ordered_json preview_job(std::string_view body, Progress progress = {});
 
 /// Returns the spec of a checked document, with each number in its canonical form (2.0 = 2), as it is planned. Asks
 /// `progress` while reading, if given.
-nlohmann::json job_spec(std::string_view document, Progress* progress = nullptr);
+nlohmann::json job_spec(std::string_view document, Progress progress = {});
 
 enum class JobState { queued, running, succeeded, failed, cancelled };
 std::string_view to_string(JobState state);
@@ -98,6 +95,6 @@ nlohmann::ordered_json job_resource(const Job& job);
 
 /// Plans a checked job document; worker and command line use this function. A plan that fails its verification is
 /// returned as not verified, with its failed checks and without setpoints. Throws core's errors or Problem.
-PlannedJob plan_job(const std::string& kind, const std::string& document, Progress& progress);
+PlannedJob plan_job(const std::string& kind, const std::string& document, Progress progress);
 
 }  // namespace bahnwerk::api

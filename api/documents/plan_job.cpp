@@ -30,11 +30,11 @@ std::string failed_checks(const nlohmann::ordered_json& result) {
 
 }  // namespace
 
-PlannedJob plan_job(const std::string& kind, const std::string& document, Progress& progress) {
+PlannedJob plan_job(const std::string& kind, const std::string& document, Progress progress) {
   const Kind* descriptor = find_kind(kind);
   if (!descriptor)
     throw Problem("unknown-kind", in_quotes(kind) + " is not a kind of this server", {{"/kind", "unknown kind"}});
-  PlannedJob job = descriptor->plan(job_spec(document, &progress), progress);
+  PlannedJob job = descriptor->plan(job_spec(document, progress), progress);
   if (!job.verified) {
     job.failure = failed_checks(job.result);
     job.setpoints.reset();

@@ -3,19 +3,19 @@
 /// members
 ///
 ///   name, title                                     string constants
-///   Request read(const json& spec, Progress&)       the spec in core's terms; throws InvalidInput naming every fault
-///   Plan plan(Request&, Progress&)                  throws core's errors
-///   KindReport report(const Request&, Plan&, Progress&)
+///   Request read(const json& spec, Progress)       the spec in core's terms; throws InvalidInput naming every fault
+///   Plan plan(Request&, Progress)                  throws core's errors
+///   KindReport report(const Request&, Plan&, Progress)
 ///
 /// and, if something can be said of a plan before it is made,
 ///
-///   ordered_json preview(const Request&, Progress&)   any of the members `notes`, `estimate`, `outline`
+///   ordered_json preview(const Request&, Progress)   any of the members `notes`, `estimate`, `outline`
 ///
 /// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
 /// document is submitted; if the kind knows how long its plans take, expected_time(const Request&); if it has
 /// setpoints, view_facts(const Request&), which returns the ViewFacts of a series, and document_segments(const
-/// Request&, Progress&) for ViewFacts::document; if it has a scene, scene(const
-/// Request&, const json& result, Progress&), which returns it with the members `scene_parts` of a result, and
+/// Request&, Progress) for ViewFacts::document; if it has a scene, scene(const
+/// Request&, const json& result, Progress), which returns it with the members `scene_parts` of a result, and
 /// has_scene(const json& spec) where not every spec has one; and if it makes files of a result,
 /// `ResultFiles files`. The file api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
 /// }`, and api/kinds.cpp lists it.
@@ -52,7 +52,7 @@ PlannedJob planned_job(std::string_view kind, KindReport report);
 
 template <class K>
 /// Returns the request of a spec, checked.
-auto checked_request(const nlohmann::json& spec, Progress& progress) {
+auto checked_request(const nlohmann::json& spec, Progress progress) {
   try {
     auto request = K::read(spec, progress);
     if constexpr (requires { K::check(request); }) K::check(request);
@@ -64,7 +64,7 @@ auto checked_request(const nlohmann::json& spec, Progress& progress) {
 
 template <class K>
 /// Implements Kind::check.
-std::optional<PlanningTime> check_spec(const nlohmann::json& spec, Progress& progress) {
+std::optional<PlanningTime> check_spec(const nlohmann::json& spec, Progress progress) {
   const auto request = checked_request<K>(spec, progress);
   if constexpr (requires { K::expected_time(request); }) return K::expected_time(request);
   return std::nullopt;
@@ -72,7 +72,7 @@ std::optional<PlanningTime> check_spec(const nlohmann::json& spec, Progress& pro
 
 template <class K>
 /// Implements Kind::preview.
-nlohmann::ordered_json preview_spec(const nlohmann::json& spec, Progress& progress) {
+nlohmann::ordered_json preview_spec(const nlohmann::json& spec, Progress progress) {
   const auto request = checked_request<K>(spec, progress);
   nlohmann::ordered_json preview{
       {"notes", nlohmann::ordered_json::array()}, {"estimate", nullptr}, {"outline", nullptr}};
@@ -81,13 +81,13 @@ nlohmann::ordered_json preview_spec(const nlohmann::json& spec, Progress& progre
 }
 
 template <class K>
-concept HasViewFacts = requires(const nlohmann::json& spec, Progress& progress) {
+concept HasViewFacts = requires(const nlohmann::json& spec, Progress progress) {
   K::view_facts(K::read(spec, progress));
 };
 
 template <class K>
 /// Implements Kind::plan.
-PlannedJob plan_spec(const nlohmann::json& spec, Progress& progress) {
+PlannedJob plan_spec(const nlohmann::json& spec, Progress progress) {
   progress.report("read", 0.0);
   auto request = K::read(spec, progress);
   auto facts = std::make_shared<ViewFacts>();
@@ -102,7 +102,7 @@ PlannedJob plan_spec(const nlohmann::json& spec, Progress& progress) {
 
 template <class K>
 /// Implements Kind::view_facts.
-std::shared_ptr<const ViewFacts> view_facts_of_spec(const nlohmann::json& spec, Progress& progress) {
+std::shared_ptr<const ViewFacts> view_facts_of_spec(const nlohmann::json& spec, Progress progress) {
   const auto request = K::read(spec, progress);
   auto facts = std::make_shared<ViewFacts>(K::view_facts(request));
   if constexpr (requires { K::document_segments(request, progress); })
@@ -112,7 +112,7 @@ std::shared_ptr<const ViewFacts> view_facts_of_spec(const nlohmann::json& spec, 
 
 /// Implements Kind::scene.
 template <class K>
-std::optional<Scene> scene_of_spec(const nlohmann::json& spec, const nlohmann::json& result, Progress& progress) {
+std::optional<Scene> scene_of_spec(const nlohmann::json& spec, const nlohmann::json& result, Progress progress) {
   if constexpr (requires { K::has_scene(spec); })
     if (!K::has_scene(spec)) return std::nullopt;
   return K::scene(K::read(spec, progress), result, progress);

@@ -113,7 +113,7 @@ class SchemaRules {
 /// Asks `progress` every few thousand values, as stage "read".
 class Validation {
  public:
-  explicit Validation(Progress& progress) : progress_(progress) {}
+  explicit Validation(Progress progress) : progress_(progress) {}
 
   bool valid(const Rule& rule, const json& value) {
     if (++values_ % values_per_report == 0) progress_.report("read", 0);
@@ -132,7 +132,7 @@ class Validation {
 
  private:
   static constexpr std::size_t values_per_report = 4096;  // 0.5 ms
-  Progress& progress_;
+  Progress progress_;
   std::size_t values_ = 0;
 
   static bool number(const Rule& rule, double x) {
@@ -169,7 +169,7 @@ Schema::Schema(std::string_view text) : state_(std::make_unique<State>(text)) {}
 Schema::~Schema() = default;
 Schema::Schema(Schema&&) noexcept = default;
 
-std::vector<FieldError> Schema::validate(const json& document, std::string_view prefix, Progress& progress) const {
+std::vector<FieldError> Schema::validate(const json& document, std::string_view prefix, Progress progress) const {
   if (Validation(progress).valid(state_->rules.first(), document)) return {};
   auto errors = explain(state_->document, document, prefix, max_faults, progress);
   if (errors.empty()) errors.push_back({std::string(prefix), "does not follow the schema"});
@@ -177,7 +177,7 @@ std::vector<FieldError> Schema::validate(const json& document, std::string_view 
 }
 
 std::vector<FieldError> Schema::validate(const json& document, std::string_view prefix) const {
-  SilentProgress silent;
+  Progress silent;
   return validate(document, prefix, silent);
 }
 

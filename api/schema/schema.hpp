@@ -7,10 +7,7 @@
 #include <vector>
 
 #include "api/problem.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 
@@ -26,7 +23,7 @@ class Schema {
   /// Returns the faults, at most `max_faults`, one per place, each at `prefix` + the pointer to the deepest faulty
   /// member; a missing member is named by the pointer that it would have. An empty list means that the document is
   /// valid. Asks `progress` every few thousand values, as stage "read". Cost: linear in the document.
-  std::vector<FieldError> validate(const nlohmann::json& document, std::string_view prefix, Progress& progress) const;
+  std::vector<FieldError> validate(const nlohmann::json& document, std::string_view prefix, Progress progress) const;
   std::vector<FieldError> validate(const nlohmann::json& document, std::string_view prefix = {}) const;
   static constexpr std::size_t max_faults = 50;
 

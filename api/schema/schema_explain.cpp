@@ -41,7 +41,7 @@ std::string with_article(const std::string& type) {
 
 class Explainer {
  public:
-  Explainer(const json& root, std::size_t most, Progress& progress) : root_(root), max_(most), progress_(progress) {}
+  Explainer(const json& root, std::size_t most, Progress progress) : root_(root), max_(most), progress_(progress) {}
   std::vector<FieldError> errors;
 
   void visit(const json& unresolved, const json& value, std::string& at) {
@@ -66,7 +66,7 @@ class Explainer {
   const json& root_;
   std::size_t max_;
   static constexpr std::size_t values_per_report = 4096;  // 5 ms
-  Progress& progress_;
+  Progress progress_;
   std::size_t values_ = 0;
 
   void add(const std::string& at, std::string message) {
@@ -295,7 +295,7 @@ class Explainer {
 }  // namespace
 
 std::vector<FieldError> explain(const json& schema, const json& document, std::string_view prefix, std::size_t most,
-                                Progress& progress) {
+                                Progress progress) {
   Explainer explainer(schema, most, progress);
   std::string at(prefix);
   explainer.visit(schema, document, at);

@@ -6,10 +6,7 @@
 #include <vector>
 
 #include "api/problem.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 
@@ -24,6 +21,6 @@ const nlohmann::json& resolve_ref(const nlohmann::json& root, const nlohmann::js
 /// "x-not-available", a list of values or member names that a later version will accept: they are invalid with a
 /// message of their own. "format" is an annotation. Asks `progress` every few thousand values, as stage "read".
 std::vector<FieldError> explain(const nlohmann::json& schema, const nlohmann::json& document, std::string_view prefix,
-                                std::size_t most, Progress& progress);
+                                std::size_t most, Progress progress);
 
 }  // namespace bahnwerk::api

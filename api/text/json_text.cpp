@@ -18,7 +18,7 @@ using nlohmann::json;
 /// win.
 class Builder : public nlohmann::json_sax<json> {
  public:
-  explicit Builder(Progress* progress) : progress_(progress) {}
+  explicit Builder(Progress progress) : progress_(progress) {}
   json root;
   std::string fault;          // text of the fault; empty: none
   bool too_large = false;     // the fault is one of size
@@ -61,7 +61,7 @@ class Builder : public nlohmann::json_sax<json> {
 
  private:
   static constexpr std::size_t values_per_report = 4096;  // 0.5 ms
-  Progress* progress_;
+  Progress progress_;
   std::size_t values_ = 0;
   std::vector<json*> stack_;
   json* slot_ = nullptr;  // place for the value of the last key
@@ -79,7 +79,7 @@ class Builder : public nlohmann::json_sax<json> {
     return put(std::forward<T>(value)) || fail_for_size("an array", "items", max_items);
   }
   json* put(json value) {
-    if (progress_ && ++values_ % values_per_report == 0) progress_->report("read", 0);
+    if (++values_ % values_per_report == 0) progress_.report("read", 0);
     if (stack_.empty()) return &(root = std::move(value));
     if (stack_.back()->is_object()) return &(*slot_ = std::move(value));
     auto& array = stack_.back()->get_ref<json::array_t&>();
@@ -177,7 +177,7 @@ std::size_t document_memory(std::string_view text) {
   return bytes;
 }
 
-json parse_json(std::string_view text, Progress* progress) {
+json parse_json(std::string_view text, Progress progress) {
   constexpr std::size_t always_small = 1 << 20;
   if (text.size() > always_small)
     if (const std::size_t bytes = document_memory(text); bytes > max_document_memory)

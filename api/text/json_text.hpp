@@ -5,9 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace bahnwerk {
-class Progress;
-}
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 
@@ -27,7 +25,7 @@ std::size_t document_memory(std::string_view text);
 /// (2.0, 2e0, -0.0), so that a document has one form. Throws Problem "payload-too-large" before reading anything for
 /// more than max_document_memory, and at the first array or object with too many parts. `progress` is asked every few
 /// thousand values, as stage "read".
-nlohmann::json parse_json(std::string_view text, Progress* progress = nullptr);
+nlohmann::json parse_json(std::string_view text, Progress progress = {});
 
 /// Returns the number of code points of a valid UTF-8 text.
 std::size_t count_characters(std::string_view text);

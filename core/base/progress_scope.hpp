@@ -11,19 +11,18 @@ namespace bahnwerk {
 /// Reports the progress of one stage.
 class ProgressScope {
  public:
-  /// `stage` is the stage's name and has to outlive this object; it runs from `from` to `to` of the whole job.
-  ProgressScope(Progress& progress, std::string_view stage, double from, double to)
-      : progress_(progress), stage_(stage), from_(from), to_(to), begin_(from), end_(to) {}
+  /// `stage` is the stage's name and has to outlive this object.
+  ProgressScope(Progress progress, std::string_view stage) : progress_(progress), stage_(stage) {}
 
   /// The following work is the part [begin, end] ⊂ [0, 1] of the stage.
   void part(double begin, double end) {
-    begin_ = from_ + begin * (to_ - from_);
-    end_ = from_ + end * (to_ - from_);
+    begin_ = begin;
+    end_ = end;
     fraction_ = 0;
     report();
   }
   /// The following work is half of the rest of the stage: for loops of unknown length, after part().
-  void half_of_rest() { part(end_fraction(), 0.5 + 0.5 * end_fraction()); }
+  void half_of_rest() { part(end_, 0.5 + 0.5 * end_); }
   /// Sets the completed fraction of this part, in [0, 1], without a report.
   void done(double fraction) { fraction_ = fraction; }
 
@@ -52,13 +51,11 @@ class ProgressScope {
     done(static_cast<double>(i) / static_cast<double>(n));
     report();
   }
-  double end_fraction() const { return to_ > from_ ? (end_ - from_) / (to_ - from_) : 1; }
 
-  Progress& progress_;
+  Progress progress_;
   std::string_view stage_;
-  double from_, to_;     // range of the stage, fractions of the job
-  double begin_, end_;   // range of this part, fractions of the job
-  double fraction_ = 0;  // completed fraction of this part
+  double begin_ = 0, end_ = 1;  // range of the present part, fractions of the stage
+  double fraction_ = 0;         // completed fraction of that part
   std::size_t work_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double accuracy = 1e-10;
 
 CertifiedMaximum largest_excess(CamCondition condition, const CamGeometry& geometry, const FollowerLaw& law,
-                                double radius, Progress& progress) {
+                                double radius, Progress progress) {
   const PitchSeat<Disc> seat = pitch_seat<Disc>(geometry, Disc(radius));
   return certified_maximum(
       law, [&](const LawSeries<Disc>& y) { return condition_excess(condition, seat, y); }, accuracy, progress);
@@ -25,7 +25,7 @@ LawSeries<Disc> as_discs(const LawSeries<double>& y) {
 
 /// Returns whether one place of the law breaks a condition for all radii of the interval.
 bool excluded(const CamGeometry& geometry, const FollowerLaw& law, const std::vector<CamCondition>& list, double low,
-              double high, Progress& progress) {
+              double high, Progress progress) {
   const double middle = (low + high) / 2;
   if (!follower_reaches(geometry, law, middle)) return false;
   const PitchSeat<Disc> seat = pitch_seat<Disc>(geometry, Disc(middle, (high - low) / 2));
@@ -60,7 +60,7 @@ bool follower_reaches(const CamGeometry& g, const FollowerLaw& law, double radiu
 }
 
 bool conditions_hold(const CamGeometry& geometry, const FollowerLaw& law, const std::vector<CamCondition>& list,
-                     double radius, Progress& progress) {
+                     double radius, Progress progress) {
   if (!follower_reaches(geometry, law, radius)) return false;
   return std::all_of(list.begin(), list.end(), [&](CamCondition condition) {
     return largest_excess(condition, geometry, law, radius, progress).upper <= 0;
@@ -68,7 +68,7 @@ bool conditions_hold(const CamGeometry& geometry, const FollowerLaw& law, const 
 }
 
 std::optional<LeastRadius> least_base_radius(const CamGeometry& g, const FollowerLaw& law,
-                                             const std::vector<CamCondition>& list, Progress& progress) {
+                                             const std::vector<CamCondition>& list, Progress progress) {
   const bool oscillating = g.type == CamType::radial && g.follower == FollowerType::oscillating;
   const double size =
       std::max({oscillating ? g.arm * law.stroke() : law.stroke(), g.profile_radius, std::abs(g.offset)});

@@ -43,7 +43,7 @@ bool follower_reaches(const CamGeometry& geometry, const FollowerLaw& law, doubl
 
 /// Returns whether all conditions of the list hold everywhere, proven by enclosure.
 bool conditions_hold(const CamGeometry& geometry, const FollowerLaw& law, const std::vector<CamCondition>& list,
-                     double radius, Progress& progress);
+                     double radius, Progress progress);
 
 struct LeastRadius {
   double base_radius = 0;  ///< mm; all conditions hold, proven
@@ -55,6 +55,6 @@ struct LeastRadius {
 /// excluded by a place of the law where a condition fails for all of them. None if none up to 1e5 times the stroke, the
 /// profile radius or the offset holds.
 std::optional<LeastRadius> least_base_radius(const CamGeometry& geometry, const FollowerLaw& law,
-                                             const std::vector<CamCondition>& list, Progress& progress);
+                                             const std::vector<CamCondition>& list, Progress progress);
 
 }  // namespace bahnwerk::cam

@@ -13,7 +13,7 @@ using T = LawSeries<Disc>;
 
 class Figures {
  public:
-  Figures(const CamGeometry& geometry, const FollowerLaw& law, double base_radius, Progress& progress)
+  Figures(const CamGeometry& geometry, const FollowerLaw& law, double base_radius, Progress progress)
       : g_(geometry),
         law_(law),
         seat_(pitch_seat<Disc>(geometry, Disc(pitch_radius(geometry, base_radius)))),
@@ -116,7 +116,7 @@ class Figures {
   const CamGeometry& g_;
   const FollowerLaw& law_;
   PitchSeat<Disc> seat_;
-  Progress& progress_;
+  Progress progress_;
   CamFigures out_;
 };
 
@@ -137,7 +137,7 @@ CamPlace cam_place(const CamGeometry& g, const FollowerLaw& law, double base_rad
   return out;
 }
 
-CamFigures cam_figures(const CamGeometry& geometry, const FollowerLaw& law, double base_radius, Progress& progress) {
+CamFigures cam_figures(const CamGeometry& geometry, const FollowerLaw& law, double base_radius, Progress progress) {
   return Figures(geometry, law, base_radius, progress).run();
 }
 

@@ -42,6 +42,6 @@ CamPlace cam_place(const CamGeometry& geometry, const FollowerLaw& law, double b
                    double x);
 
 /// O(pieces) searches of core/cam_profile/follower_law.hpp, some ms each. The follower reaches the base circle.
-CamFigures cam_figures(const CamGeometry& geometry, const FollowerLaw& law, double base_radius, Progress& progress);
+CamFigures cam_figures(const CamGeometry& geometry, const FollowerLaw& law, double base_radius, Progress progress);
 
 }  // namespace bahnwerk::cam

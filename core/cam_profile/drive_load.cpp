@@ -105,7 +105,7 @@ Range acceleration_within(const LinearLoad& load, double peak) {
   return {(-room - load.constant) / load.acceleration, (room - load.constant) / load.acceleration};
 }
 
-LoadFigures load_figures(const LinearLoad& load, const CamLaw& law, Progress& progress) {
+LoadFigures load_figures(const LinearLoad& load, const CamLaw& law, Progress progress) {
   const FollowerLaw over(law, 1);
   const double still = 1e-9 * law.peak(1).value;
   const Effort effort(load, over, still);

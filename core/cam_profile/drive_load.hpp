@@ -37,6 +37,6 @@ struct LoadFigures {
   double peak() const { return std::max(most.value, -least.value); }
 };
 /// Means by Gauss' rule with 24 points in parts in which the slave does not turn back: exact for polynomials.
-LoadFigures load_figures(const LinearLoad& load, const CamLaw& law, Progress& progress);
+LoadFigures load_figures(const LinearLoad& load, const CamLaw& law, Progress progress);
 
 }  // namespace bahnwerk::cam

@@ -43,7 +43,7 @@ LawSeries<Disc> enclosed(const Part& part) {
 
 class Search {
  public:
-  Search(const FollowerLaw& law, const LawFunction& function, double accuracy, Progress& progress)
+  Search(const FollowerLaw& law, const LawFunction& function, double accuracy, Progress progress)
       : law_(law), function_(function), accuracy_(accuracy), progress_(progress) {}
 
   CertifiedMaximum run() {
@@ -120,7 +120,7 @@ class Search {
   const FollowerLaw& law_;
   const LawFunction& function_;
   double accuracy_;
-  Progress& progress_;
+  Progress progress_;
   CertifiedMaximum best_;
   double finished_ = -HUGE_VAL;  // largest bound of parts that are not looked at again
   std::priority_queue<Part> parts_;
@@ -160,7 +160,7 @@ LawSeries<double> FollowerLaw::at(std::size_t piece, double x) const {
 }
 
 CertifiedMaximum certified_maximum(const FollowerLaw& law, const LawFunction& function, double accuracy,
-                                   Progress& progress) {
+                                   Progress progress) {
   return Search(law, function, accuracy, progress).run();
 }
 

@@ -4,13 +4,10 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/cam/cam_law.hpp"
 #include "core/numeric/disc.hpp"
 #include "core/numeric/taylor.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::cam {
 
@@ -60,6 +57,6 @@ using LawFunction = std::function<LawSeries<Disc>(const LawSeries<Disc>&)>;
 /// Returns the largest value by best-first bisection; parts are enclosed by discs, by their middle and derivative, and
 /// by monotony. Ends where value and bound agree to 1e-7 of the value and `accuracy`, or after 100 000 parts.
 CertifiedMaximum certified_maximum(const FollowerLaw& law, const LawFunction& function, double accuracy,
-                                   Progress& progress);
+                                   Progress progress);
 
 }  // namespace bahnwerk::cam

@@ -61,7 +61,7 @@ CamCurvePoint cam_curve_point(const CamGeometry& g, const FollowerLaw& law, doub
 }
 
 NurbsPath cam_curve(const CamGeometry& g, const FollowerLaw& law, double base_radius, CamCurve curve,
-                    Progress& progress) {
+                    Progress progress) {
   NurbsPath out;
   out.degree = 5;
   std::size_t spans = 0;

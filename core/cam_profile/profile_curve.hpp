@@ -23,6 +23,6 @@ CamCurvePoint cam_curve_point(const CamGeometry& geometry, const FollowerLaw& la
 /// derivatives are exact at the knots (Hermite), and spans of at most 5 deg are halved until the curve is within a
 /// quarter of the geometry's tolerance. Throws ToleranceUnreachable beyond 20 000 spans.
 NurbsPath cam_curve(const CamGeometry& geometry, const FollowerLaw& law, double base_radius, CamCurve curve,
-                    Progress& progress);
+                    Progress progress);
 
 }  // namespace bahnwerk::cam

@@ -31,9 +31,9 @@ constexpr std::size_t progress_step = 256;
 
 class Blender {
  public:
-  Blender(const Contour& given, const BlendOptions& options, const ToolLimitsMap& limits, Progress& progress,
-          double from, double to, std::vector<BlendSection>* sections)
-      : given_(given), options_(options), limits_(limits), progress_(progress, "blend", from, to), sections_(sections) {
+  Blender(const Contour& given, const BlendOptions& options, const ToolLimitsMap& limits, Progress progress,
+          std::vector<BlendSection>* sections)
+      : given_(given), options_(options), limits_(limits), progress_(progress, "blend"), sections_(sections) {
     result_.dimension = given.dimension;
     result_.height = given.height;
     rest_ = given.rest_places();
@@ -305,11 +305,11 @@ class Blender {
 
 }  // namespace
 
-Contour blend(const Contour& given, const BlendOptions& options, const ToolLimitsMap& limits, Progress& progress,
-              double from, double to, std::vector<BlendSection>* sections) {
+Contour blend(const Contour& given, const BlendOptions& options, const ToolLimitsMap& limits, Progress progress,
+              std::vector<BlendSection>* sections) {
   if (!(options.tolerance >= min_tolerance && options.tolerance <= max_tolerance))
     throw InvalidInput({{{"planning", "corner", "tolerance"}, "the tolerance has to be 1e-5 to 1e3 mm"}});
-  return Blender(given, options, limits, progress, from, to, sections).run();
+  return Blender(given, options, limits, progress, sections).run();
 }
 
 }  // namespace bahnwerk

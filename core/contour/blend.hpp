@@ -23,12 +23,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/tool_limits.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The options of rounding.
 struct BlendOptions {
@@ -46,12 +45,12 @@ struct BlendSection {
 /// Returns the blended contour with the dimension and blocks of `given` and more notes. `limits` are those of the tool
 /// on the machine: an element is rounded by those at its beginning. Every point of a block has a
 /// point of its counterpart within the tolerance and vice versa, in order along both (core/verify/geometry/tube.hpp
-/// checks this). `sections`, if given, is filled with those of the path, in order. Progress runs from `from` to `to`.
+/// checks this). `sections`, if given, is filled with those of the path, in order.
 /// Throws InvalidInput at {"planning","corner","tolerance"} for a tolerance outside 1e-5 … 1e3 mm, ToleranceUnreachable
 /// for a block of less than some 1e-11 mm that was lost, Stopped. Cost: O(segments): 10 µs per chord of a long run, 25
 /// µs per corner, 65 µs per segment where many short runs alternate with corners (tests/bench/bench_blend.cpp, one core
 /// of 2.3 GHz).
-Contour blend(const Contour& given, const BlendOptions& options, const ToolLimitsMap& limits, Progress& progress,
-              double from = 0, double to = 1, std::vector<BlendSection>* sections = nullptr);
+Contour blend(const Contour& given, const BlendOptions& options, const ToolLimitsMap& limits, Progress progress,
+              std::vector<BlendSection>* sections = nullptr);
 
 }  // namespace bahnwerk

@@ -25,9 +25,9 @@ void check(const DxfOptions& options) {
 }
 
 /// Returns the dimension, 2 or 3; a planar drawing is put to z = 0.
-std::size_t flatten(DxfDrawing& drawing, Progress& progress) {
+std::size_t flatten(DxfDrawing& drawing, Progress progress) {
   double most = 0, low = HUGE_VAL, high = -HUGE_VAL;
-  ProgressScope reading(progress, "reading", 0, 0);
+  ProgressScope reading(progress.part(0, 0), "reading");
   // Heights may differ from curve to curve within one strand, too.
   for (const DxfStrand& strand : drawing.strands) {
     double bottom = HUGE_VAL, top = -HUGE_VAL;
@@ -65,11 +65,11 @@ std::string count_of(std::size_t n, const char* one, const char* more) {
 }  // namespace
 
 Contour read_dxf(std::string_view text, const DxfOptions& options) {
-  SilentProgress silent;
+  Progress silent;
   return read_dxf(text, options, silent);
 }
 
-Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& progress) {
+Contour read_dxf(std::string_view text, const DxfOptions& options, Progress progress) {
   check(options);
   DxfDrawing drawing = read_dxf_drawing(
       text, {options.layers, options.millimetres_per_unit, options.max_curves, options.hatch}, progress);
@@ -87,7 +87,7 @@ Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& pro
 
   ContourBuilder builder(dimension, first_point(list.front().curves.front()), "dxf");
   GapReport gaps;
-  ProgressScope reading(progress, "reading", 0, 0);
+  ProgressScope reading(progress.part(0, 0), "reading");
   for (Cut& cut : list) {
     builder.at_line(cut.lines.front());
     const Vec start = first_point(cut.curves.front());

@@ -29,11 +29,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The order of the blocks: as in the file, or by nearest neighbours.
 enum class DxfOrder { as_drawn, nearest };
@@ -57,6 +56,6 @@ struct DxfOptions {
 /// {"contour","layers",index}, whose message lists the layers that exist.
 Contour read_dxf(std::string_view text, const DxfOptions& options = {});
 /// Reports the stage "reading" to `progress` at least every 100 ms and passes its exceptions on.
-Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& progress);
+Contour read_dxf(std::string_view text, const DxfOptions& options, Progress progress);
 
 }  // namespace bahnwerk

@@ -18,7 +18,7 @@ constexpr std::size_t segments_per_report = 4096;  // reports within a line, whi
 class Reading {
  public:
   Reading(std::string_view text, bool cut_off, const GcodeOptions& options, gcode::Interpreter& interpreter,
-          Progress& progress)
+          Progress progress)
       : options_(options),
         cut_off_(cut_off),
         interpreter_(interpreter),
@@ -107,7 +107,7 @@ class Reading {
   const GcodeOptions& options_;
   bool cut_off_;
   gcode::Interpreter& interpreter_;
-  Progress& progress_;
+  Progress progress_;
   gcode::Parameters parameters_;
   gcode::Lines lines_;
   gcode::Control control_;
@@ -116,7 +116,7 @@ class Reading {
 
 }  // namespace
 
-Contour read_gcode(std::string_view whole, const GcodeOptions& options, Progress& progress) {
+Contour read_gcode(std::string_view whole, const GcodeOptions& options, Progress progress) {
   // The DOS mark of the end of a text; what fills up a block behind it, or without it, is nothing.
   const std::string_view text = whole.substr(0, whole.find(end_of_text)), behind = whole.substr(text.size());
   const bool cut_off = behind.find_first_not_of(filling) != std::string_view::npos;
@@ -133,7 +133,7 @@ Contour read_gcode(std::string_view whole, const GcodeOptions& options, Progress
 }
 
 Contour read_gcode(std::string_view text, const GcodeOptions& options) {
-  SilentProgress silent;
+  Progress silent;
   return read_gcode(text, options, silent);
 }
 

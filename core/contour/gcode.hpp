@@ -78,11 +78,10 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The motion of lines before the first motion word.
 enum class GcodeMotion { rapid, line };
@@ -113,6 +112,6 @@ struct GcodeOptions {
 /// twice that time for a contour at one height other than 0. A step of a loop takes 0.1 to 0.7 µs plus the time of its
 /// moves.
 Contour read_gcode(std::string_view text, const GcodeOptions& options = {});
-Contour read_gcode(std::string_view text, const GcodeOptions& options, Progress& progress);
+Contour read_gcode(std::string_view text, const GcodeOptions& options, Progress progress);
 
 }  // namespace bahnwerk

@@ -5,7 +5,7 @@
 
 namespace bahnwerk {
 
-Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool closed, double feed, Progress* progress) {
+Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool closed, double feed, Progress progress) {
   std::vector<InputFault> faults;
   for (std::size_t i = 0; i < points.size() && faults.size() < 100; ++i)
     if (!std::isfinite(norm(points[i])))
@@ -17,7 +17,7 @@ Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool clo
   builder.block(Mode::cut, feed);
   constexpr std::size_t points_per_report = 4096;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (progress && i % points_per_report == 0) progress->report("reading", 0);
+    if (i % points_per_report == 0) progress.report("reading", 0);
     builder.line(points[i]);
   }
   if (closed) builder.line(points.front());

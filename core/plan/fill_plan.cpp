@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/verify/layout_verifier.hpp"
 #include "core/winding/layout/count_bound.hpp"
@@ -30,13 +30,13 @@ winding::LayingRegions regions_of(const FillRequest& request) {
 /// Returns the slot for layouts, nominal or with its walls moved outwards by `wall` mm.
 class Filler {
  public:
-  Filler(const FillRequest& request, double wall, Progress& progress)
+  Filler(const FillRequest& request, double wall, Progress progress)
       : request_(request), slot_(request.slot), wall_(wall) {
-    slot_.usable_area = slot_.usable_area.inward(-wall, &progress);
+    slot_.usable_area = slot_.usable_area.inward(-wall, progress);
   }
 
   Layout lay(Algorithm algorithm, double radius, double overlap, std::span<const std::vector<Point>> hints,
-             std::vector<Layout>& regions, Progress& progress) const {
+             std::vector<Layout>& regions, Progress progress) const {
     switch (algorithm) {
       case Algorithm::orthocyclic_base:
         return winding::orthocyclic(slot_.usable_area, radius, slot_.tension_point, 0, progress);
@@ -49,7 +49,7 @@ class Filler {
         options.overlap = overlap;
         options.seed = request_.seed;
         options.effort = request_.effort;
-        options.most = winding::max_wires(slot_.usable_area, radius, 2 * radius - overlap, &progress);
+        options.most = winding::max_wires(slot_.usable_area, radius, 2 * radius - overlap, progress);
         Layout layout{winding::potential(slot_.usable_area, radius, hints, options, progress), {}};
         nearest_first(layout.wires);
         return layout;
@@ -72,9 +72,9 @@ class Filler {
     });
   }
 
-  Layout needle(double radius, std::vector<Layout>& regions, Progress& progress) const {
+  Layout needle(double radius, std::vector<Layout>& regions, Progress progress) const {
     winding::LayingRegions at = regions_of(request_);
-    for (winding::LayingRegion& region : at.at) region.usable_area = region.usable_area.inward(-wall_, &progress);
+    for (winding::LayingRegion& region : at.at) region.usable_area = region.usable_area.inward(-wall_, progress);
     winding::NeedleLayout laid = winding::needle(at, radius, request_.tie_in, progress);
     regions.assign(std::make_move_iterator(laid.begin() + 1), std::make_move_iterator(laid.end()));
     return std::move(laid[0]);
@@ -97,12 +97,12 @@ std::vector<Sample> samples(const FillRequest& request) {
 }
 
 std::vector<std::size_t> sampled_counts(const FillRequest& request, Algorithm algorithm, const Wire& wire,
-                                        const std::vector<Sample>& list, Progress& progress) {
+                                        const std::vector<Sample>& list, Progress progress) {
   std::vector<std::size_t> counts;
   const double tolerance = request.sampling.wire_tolerance.value_or(wire.tolerance);
   for (std::size_t k = 0; k < list.size(); ++k) {
     const double n = static_cast<double>(list.size());
-    ProgressPart part(progress, "sampling", static_cast<double>(k) / n, (static_cast<double>(k) + 1) / n);
+    const Progress part = progress.part(static_cast<double>(k) / n, (static_cast<double>(k) + 1) / n).named("sampling");
     const Filler filler(request, request.sampling.slot_tolerance * list[k].wall, part);
     Wire drawn = wire;
     drawn.outer *= 1 - tolerance * list[k].diameter;
@@ -113,10 +113,10 @@ std::vector<std::size_t> sampled_counts(const FillRequest& request, Algorithm al
   return counts;
 }
 
-void report(const FillRequest& request, FilledLayout& filled, Progress& progress) {
+void report(const FillRequest& request, FilledLayout& filled, Progress progress) {
   const double radius = filled.wire.radius();
   progress.report("bound", 0);
-  filled.bound = winding::max_wires(request.slot.usable_area, radius, 2 * radius - filled.overlap, &progress);
+  filled.bound = winding::max_wires(request.slot.usable_area, radius, 2 * radius - filled.overlap, progress);
   progress.report("bound", 0);
   filled.electrical = electrical_fill(request.sides * filled.count(), filled.wire, request.slot.iron.area());
   filled.mechanical = mechanical_fill(filled.count(), filled.wire, request.slot.usable_area.area());
@@ -142,7 +142,7 @@ std::string max_places(const FillPlan& plan) {
 }
 
 /// Returns the layouts in all regions.
-Verification verified(const FillRequest& request, const FillPlan& plan, Progress& progress, double from) {
+Verification verified(const FillRequest& request, const FillPlan& plan, Progress progress) {
   const winding::LayingRegions at = regions_of(request);
   std::vector<LayoutToVerify> verified;
   for (const FilledLayout& filled : plan.layouts) {
@@ -157,7 +157,7 @@ Verification verified(const FillRequest& request, const FillPlan& plan, Progress
       verified.push_back(each);
     }
   }
-  return verify_layouts(request.slot.usable_area, verified, progress, from, 1);
+  return verify_layouts(request.slot.usable_area, verified, progress);
 }
 
 /// Returns the relative computing time of an algorithm.
@@ -200,7 +200,7 @@ double expected_time(const FillRequest& request) {
   return sum;
 }
 
-FillPlan plan_fill(const FillRequest& request, Progress& progress) {
+FillPlan plan_fill(const FillRequest& request, Progress progress) {
   FillPlan plan;
   constexpr double verifying = 0.98;  // part of the progress at which verification begins
   // The search goes last of a wire's algorithms: the layouts of the others are its hints.
@@ -229,20 +229,21 @@ FillPlan plan_fill(const FillRequest& request, Progress& progress) {
       const double from = verifying * done / total, to = verifying * (done += weight(filled.algorithm)) / total;
       const double nominal = drawn.empty() ? to : from + (to - from) / (1 + static_cast<double>(drawn.size()));
       const double laid = from + 0.9 * (nominal - from);
-      ProgressPart laying(progress, cell, from, laid), checking(progress, cell, laid, nominal);
+      const Progress laying = progress.part(from, laid).named(cell);
+      const Progress checking = progress.part(laid, nominal).named(cell);
       laying.report({}, 0);
       filled.layout = filler.lay(filled.algorithm, wire.radius(), filled.overlap, hints, filled.regions, laying);
       report(request, filled, checking);
       hints.push_back(filled.layout.wires);
       if (drawn.empty()) continue;
-      ProgressPart rest(progress, cell, nominal, to);
+      const Progress rest = progress.part(nominal, to).named(cell);
       filled.sampled = sampled_counts(request, filled.algorithm, wire, drawn, rest);
     }
   }
   if ((request.serial || request.parallel) &&
       std::none_of(plan.layouts.begin(), plan.layouts.end(), [](const FilledLayout& l) { return l.turns.fits; }))
     throw Infeasible("no layout takes the turns asked for: " + max_places(plan));
-  plan.verification = verified(request, plan, progress, verifying);
+  plan.verification = verified(request, plan, progress.part(verifying, 1));
   const auto better = [&](std::size_t a, std::size_t b) {
     return plan.layouts[a].electrical > plan.layouts[b].electrical;
   };

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/winding/fill.hpp"
 #include "core/winding/laying/needle.hpp"
@@ -15,8 +16,6 @@
 #include "core/winding/wire.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Random deviations of slot and wire from their nominal sizes.
 struct FillSampling {
@@ -78,7 +77,7 @@ struct FillPlan {
 /// Returns the plan; equal requests give identical plans. Throws Stopped, and Infeasible if turns are requested and no
 /// layout holds them. Cost: that of the algorithms, see their headers; verification is quadratic in the wires of a
 /// layout.
-FillPlan plan_fill(const FillRequest& request, Progress& progress);
+FillPlan plan_fill(const FillRequest& request, Progress progress);
 
 /// Returns the expected time of plan_fill, s of one processor, within a factor of two for times above a second. Cost:
 /// that of one bound on the number of wires.

@@ -42,7 +42,7 @@ bool slow_by_the_excess(const Verification& verification, double largest, TimeLa
 
 class PathProblem final : public MotionProblem {
  public:
-  PathProblem(const PathPlanning& planning, Progress& progress, std::optional<MethodResult> first)
+  PathProblem(const PathPlanning& planning, Progress progress, std::optional<MethodResult> first)
       : planning_(planning),
         progress_(progress),
         first_(std::move(first)),
@@ -55,7 +55,6 @@ class PathProblem final : public MotionProblem {
 
   static constexpr double bounded = 0.1, planned = 0.55,
                           verified = 0.85;  // parts of the progress at which the stages end
-  double at(double fraction) const { return planning_.from + fraction * (planning_.to - planning_.from); }
 
   void plan() override {
     if (method_.refinement == Refinement::to_bound || !planning_.only_duration) bound_ = find_bound();
@@ -79,9 +78,7 @@ class PathProblem final : public MotionProblem {
     input.corner_angle = planning_.options.corner_angle;
     input.check_jerk = method_.limits_jerk;
     input.along = limits_along();
-    input.progress_from = at(planned);
-    input.progress_to = at(verified);
-    return verify_motion(input, progress_);
+    return verify_motion(input, progress_.part(planned, verified));
   }
   bool correct(const Verification& verdict) override {
     return slow_by_the_excess(verdict, method_.holds_at_nodes && attempt_ == attempts ? unlimited : largest_excess,
@@ -99,7 +96,7 @@ class PathProblem final : public MotionProblem {
   Rows row_checks(const SetpointSource& setpoints, const Verification& verdict) override {
     Rows rows{{}, 1};
     rows.checks.push_back(path_row_check({*planning_.path, planning_.machine, motion_->law(), setpoints,
-                                          planning_.blocks, 0, 1, planning_.shown, planning_.lag}));
+                                          planning_.blocks, planning_.shown, planning_.lag}));
     if (planning_.row_checks)
       for (auto& check : planning_.row_checks(*motion_, setpoints, verdict)) rows.checks.push_back(std::move(check));
     return rows;
@@ -132,7 +129,7 @@ class PathProblem final : public MotionProblem {
   /// one more axis.
   Bound find_bound() {
     const auto of = [&](const PathTask& task) {
-      return lower_bound(task, planning_.options.corner_angle, progress_, at(0), at(bounded), &section_bounds_);
+      return lower_bound(task, planning_.options.corner_angle, progress_.part(0, bounded), &section_bounds_);
     };
     const Limits along = limits_along();
     const double acceleration = largest_acceleration(along, task_.path.length());
@@ -145,7 +142,7 @@ class PathProblem final : public MotionProblem {
 
   MethodResult find_law() {
     const auto of = [&](const PathTask& task) {
-      return method_.plan(task, planning_.options, refinement_, progress_, at(bounded), at(planned));
+      return method_.plan(task, planning_.options, refinement_, progress_.part(bounded, planned));
     };
     if (planning_.jerk_share == 1) return of(task_);
     Machine machine = moving_;
@@ -181,13 +178,13 @@ class PathProblem final : public MotionProblem {
   }
 
   void take(TimeLaw law) {
-    law_ = with_dwells(std::move(law), task_, progress_, at(planned));
+    law_ = with_dwells(std::move(law), task_, progress_.part(planned, planned));
     slowed_ = 1;
     if (!std::isfinite(law_.duration())) throw Infeasible("the planning method found no motion within the limits");
   }
 
   const PathPlanning& planning_;
-  Progress& progress_;
+  Progress progress_;
   std::optional<MethodResult> first_;
   const MethodRow& method_;
   Machine moving_;
@@ -203,12 +200,11 @@ class PathProblem final : public MotionProblem {
 
 }  // namespace
 
-PathPlan plan_along(const PathPlanning& planning, Progress& progress, std::optional<MethodResult> first) {
+PathPlan plan_along(const PathPlanning& planning, Progress progress, std::optional<MethodResult> first) {
   PathProblem problem(planning, progress, std::move(first));
   PipelineOptions options{planning.machine.cycle_time, planning.max_setpoints};
-  options.rows_from = problem.at(PathProblem::verified), options.rows_to = problem.at(1);
   MotionPlan plan = verified_motion(problem, options);
-  if (!planning.only_duration) plan = served_motion(problem, std::move(plan), options, progress);
+  if (!planning.only_duration) plan = served_motion(problem, std::move(plan), progress.part(PathProblem::verified, 1));
   return problem.report(std::move(plan));
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -19,8 +20,6 @@
 #include "core/verify/bound/lower_bound.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct PathPlanning {
   std::shared_ptr<const AxisPath> path;  ///< axis path with every axis of the machine
@@ -54,7 +53,6 @@ struct PathPlanning {
   std::vector<double> shown;
   /// Largest distance of these setpoints from the law's place (SetpointInput::lag).
   double lag = 0;
-  double from = 0, to = 1;  ///< range of the job's progress that this plan covers
 };
 
 struct PathPlan {
@@ -81,6 +79,6 @@ struct PathPlan {
 ///
 /// Cost: that of the method, about 1 µs per grid cell for verification and bound, and 0.1 to 0.3 µs per setpoint.
 /// Throws InvalidInput, also for a motion of more than max_setpoints, UnreachablePose and Stopped.
-PathPlan plan_along(const PathPlanning& planning, Progress& progress, std::optional<MethodResult> first = {});
+PathPlan plan_along(const PathPlanning& planning, Progress progress, std::optional<MethodResult> first = {});
 
 }  // namespace bahnwerk

@@ -30,11 +30,11 @@ MotionPlan verified_motion(MotionProblem& problem, const PipelineOptions& option
   return plan;
 }
 
-MotionPlan served_motion(MotionProblem& problem, MotionPlan plan, const PipelineOptions& options, Progress& progress) {
+MotionPlan served_motion(MotionProblem& problem, MotionPlan plan, Progress progress) {
   plan.motion = problem.motion();
   plan.setpoints = problem.setpoints(plan.cycles.count);
   MotionProblem::Rows rows = problem.row_checks(*plan.setpoints, plan.verification);
-  ProgressScope stage_progress(progress, "verify setpoints", options.rows_from, options.rows_to);
+  ProgressScope stage_progress(progress, "verify setpoints");
   stage_progress.report();
   read_rows(*plan.setpoints, rows.checks, stage_progress);
   stage_progress.done(1);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -13,8 +14,6 @@
 #include "core/motion/setpoints/cycles.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// A kind's problem. The pipeline calls plan() first, then duration(), slow() and verify() as often as necessary, and
 /// finally the remaining functions once each, in their order here.
@@ -56,7 +55,6 @@ struct PipelineOptions {
   double cycle_time = 0.001;          ///< s
   double max_setpoints = 20'000'000;  ///< largest number of setpoints; more are refused
   int max_corrections = 6;            ///< corrections of a motion before plan_otherwise()
-  double rows_from = 0, rows_to = 1;  ///< range of the job's progress in which rows are read
   std::vector<std::string> cycle_time_place{"machine", "cycle_time"};  ///< place of the cycle time in the document
 };
 
@@ -75,11 +73,11 @@ struct MotionPlan {
 /// verification. Throws what the problem throws, and InvalidInput for more than max_setpoints.
 MotionPlan verified_motion(MotionProblem& problem, const PipelineOptions& options);
 /// Returns the plan completed with setpoints, checks of rows and bound.
-MotionPlan served_motion(MotionProblem& problem, MotionPlan plan, const PipelineOptions& options, Progress& progress);
+MotionPlan served_motion(MotionProblem& problem, MotionPlan plan, Progress progress);
 
 /// Returns served_motion(verified_motion()).
-inline MotionPlan plan_motion(MotionProblem& problem, const PipelineOptions& options, Progress& progress) {
-  return served_motion(problem, verified_motion(problem, options), options, progress);
+inline MotionPlan plan_motion(MotionProblem& problem, const PipelineOptions& options, Progress progress) {
+  return served_motion(problem, verified_motion(problem, options), progress);
 }
 
 }  // namespace bahnwerk

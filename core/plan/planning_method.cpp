@@ -13,7 +13,7 @@ namespace bahnwerk {
 namespace {
 
 MethodResult acceleration_limited(const PathTask& task, const MethodOptions& given, bool keep_reserve, int refinement,
-                                  Progress& progress, double from, double to) {
+                                  Progress progress) {
   AccelerationLimitedOptions options;
   options.corner_angle = given.corner_angle;
   options.keep_reserve = keep_reserve;
@@ -23,22 +23,19 @@ MethodResult acceleration_limited(const PathTask& task, const MethodOptions& giv
     options.grid.hermite *= 1.0 / 16;  // the error of a cell's model falls with the fourth power of its width
     options.tolerance *= 0.1;
   }
-  AccelerationLimitedResult result = plan_acceleration_limited(task, options, progress, from, to);
+  AccelerationLimitedResult result = plan_acceleration_limited(task, options, progress);
   return {std::move(result.law), result.rounds, result.cells};
 }
 
-MethodResult braking_reserve(const PathTask& task, const MethodOptions& options, int refinement, Progress& progress,
-                             double from, double to) {
-  return acceleration_limited(task, options, true, refinement, progress, from, to);
+MethodResult braking_reserve(const PathTask& task, const MethodOptions& options, int refinement, Progress progress) {
+  return acceleration_limited(task, options, true, refinement, progress);
 }
 
-MethodResult time_optimal(const PathTask& task, const MethodOptions& options, int refinement, Progress& progress,
-                          double from, double to) {
-  return acceleration_limited(task, options, false, refinement, progress, from, to);
+MethodResult time_optimal(const PathTask& task, const MethodOptions& options, int refinement, Progress progress) {
+  return acceleration_limited(task, options, false, refinement, progress);
 }
 
-MethodResult jerk_limited(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress,
-                          double from, double to) {
+MethodResult jerk_limited(const PathTask& task, const MethodOptions& given, int refinement, Progress progress) {
   JerkLimitedOptions options;
   options.corner_angle = given.corner_angle;
   options.path = given.along;
@@ -46,17 +43,16 @@ MethodResult jerk_limited(const PathTask& task, const MethodOptions& given, int 
     options.angle *= 0.5;
     options.tolerance *= 0.1;
   }
-  JerkLimitedResult result = plan_jerk_limited(task, options, progress, from, to);
+  JerkLimitedResult result = plan_jerk_limited(task, options, progress);
   return {std::move(result.law), result.iterations, result.cells};
 }
 
-MethodResult natural(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress, double from,
-                     double to) {
+MethodResult natural(const PathTask& task, const MethodOptions& given, int refinement, Progress progress) {
   NaturalOptions options;
   options.shares = given.shares;
   options.path = given.along;
   options.steps <<= refinement;
-  MethodResult result{plan_natural(task, options, progress, from, to), 1, 0};
+  MethodResult result{plan_natural(task, options, progress), 1, 0};
   result.cells = result.law.pieces().size();
   return result;
 }
@@ -71,26 +67,23 @@ FeedOptions feed_options(const MethodOptions& given, int refinement) {
   return options;
 }
 
-MethodResult constant(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress, double from,
-                      double to) {
-  MethodResult result{plan_constant_feed(task, feed_options(given, refinement), progress, from, to), 1, 0};
+MethodResult constant(const PathTask& task, const MethodOptions& given, int refinement, Progress progress) {
+  MethodResult result{plan_constant_feed(task, feed_options(given, refinement), progress), 1, 0};
   result.cells = result.law.pieces().size();
   return result;
 }
 
-MethodResult critical_points(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress,
-                             double from, double to) {
-  MethodResult result{plan_critical_points(task, feed_options(given, refinement), progress, from, to), 1, 0};
+MethodResult critical_points(const PathTask& task, const MethodOptions& given, int refinement, Progress progress) {
+  MethodResult result{plan_critical_points(task, feed_options(given, refinement), progress), 1, 0};
   result.cells = result.law.pieces().size();
   return result;
 }
 
-MethodResult spline(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress, double from,
-                    double to) {
+MethodResult spline(const PathTask& task, const MethodOptions& given, int refinement, Progress progress) {
   SplineFeedOptions options;
   options.path = given.along;
   options.steps <<= refinement;
-  SplineFeed found = plan_spline_feed(task, options, progress, from, to);
+  SplineFeed found = plan_spline_feed(task, options, progress);
   MethodResult result{std::move(found.law), found.evaluations, 0};
   result.cells = result.law.pieces().size();
   return result;

@@ -2,14 +2,13 @@
 /// Table of the planning methods: each row has the method's name, planner and properties. A new method is one more row.
 #include <cstddef>
 
+#include "core/base/progress.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 #include "core/plan/method_options.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct MethodResult {
   TimeLaw law;
@@ -30,8 +29,7 @@ struct MethodRow {
   PlanningMethod method;
   /// Returns the time law of the whole path without dwells. Each `refinement` 0, 1 … halves the cell width and reduces
   /// the excess over the optimum to about a tenth. Throws as the planner does.
-  MethodResult (*plan)(const PathTask& task, const MethodOptions& options, int refinement, Progress& progress,
-                       double from, double to);
+  MethodResult (*plan)(const PathTask& task, const MethodOptions& options, int refinement, Progress progress);
   /// Whether jerk limits of the axes and along the path hold; the acceleration is then continuous.
   bool limits_jerk;
   /// Whether limits along the path hold.

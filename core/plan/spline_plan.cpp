@@ -15,7 +15,7 @@ constexpr double verified = 0.5;         // part of the progress at which verifi
 
 class SplineProblem final : public MotionProblem {
  public:
-  SplineProblem(const SplinePlanning& planning, Progress& progress) : planning_(planning), progress_(progress) {}
+  SplineProblem(const SplinePlanning& planning, Progress progress) : planning_(planning), progress_(progress) {}
 
   void plan() override { motion_ = std::make_shared<const SplineMotion>(planning_.pieces); }
   bool plan_otherwise() override { return false; }
@@ -26,8 +26,7 @@ class SplineProblem final : public MotionProblem {
   Verification verify() override {
     Verification verdict{true, {}, {}};
     MotionToVerify input{*motion_, planning_.machine.axes, planning_.continuous};
-    input.progress_to = verified;
-    verdict.add(motion_checks(input, progress_));
+    verdict.add(motion_checks(input, progress_.part(0, verified)));
     return verdict;
   }
   bool correct(const Verification& verdict) override {
@@ -56,18 +55,17 @@ class SplineProblem final : public MotionProblem {
 
  private:
   const SplinePlanning& planning_;
-  Progress& progress_;
+  Progress progress_;
   std::shared_ptr<const SplineMotion> motion_;
   double stretch_ = 1, factor_ = 1;  // factors of the duration: of corrections; of those and whole cycles
 };
 
 }  // namespace
 
-MotionPlan plan_spline(const SplinePlanning& planning, Progress& progress) {
+MotionPlan plan_spline(const SplinePlanning& planning, Progress progress) {
   SplineProblem problem(planning, progress);
   PipelineOptions options{planning.machine.cycle_time, planning.max_setpoints};
-  options.rows_from = verified;
-  return plan_motion(problem, options, progress);
+  return plan_motion(problem, options, progress.part(verified, 1));
 }
 
 }  // namespace bahnwerk

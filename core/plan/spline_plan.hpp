@@ -3,13 +3,12 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/plan/pipeline.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct SplinePlanning {
   std::vector<SplineMotion::Piece> pieces;  ///< pieces as planned, from rest to rest
@@ -25,6 +24,6 @@ struct SplinePlanning {
 /// Slows the motion to whole cycles, verifies it (core/verify/motion/motion_checks.hpp) and samples it. A limit
 /// exceeded by at most 1e-4 of itself slows the whole motion accordingly. The returned plan may fail verification.
 /// Throws what SplineMotion and the pipeline throw.
-MotionPlan plan_spline(const SplinePlanning& planning, Progress& progress);
+MotionPlan plan_spline(const SplinePlanning& planning, Progress progress);
 
 }  // namespace bahnwerk

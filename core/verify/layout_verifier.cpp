@@ -60,18 +60,17 @@ double beyond(const Region& usable_area, Point p, double radius) {
 /// Asks `progress` once in a while.
 class WorkCounter {
  public:
-  WorkCounter(Progress& progress, double from, double to) : progress_(progress), from_(from), to_(to) {}
+  explicit WorkCounter(Progress progress) : progress_(progress) {}
   /// `share` of the whole is done, `work` comparisons since the last call.
   void take(double share, std::size_t work) {
     work_ += work;
     if (work_ < 65536) return;
     work_ = 0;
-    progress_.report("verification", from_ + (to_ - from_) * share);
+    progress_.report("verification", share);
   }
 
  private:
-  Progress& progress_;
-  double from_, to_;
+  Progress progress_;
   std::size_t work_ = 65536;
 };
 
@@ -103,8 +102,7 @@ void raise(Check& check, double value, double at) {
 
 }  // namespace
 
-Verification verify_layouts(const Region& usable_area, std::span<const LayoutToVerify> layouts, Progress& progress,
-                            double progress_from, double progress_to) {
+Verification verify_layouts(const Region& usable_area, std::span<const LayoutToVerify> layouts, Progress progress) {
   constexpr Quantity wire_overlap{"overlap beyond what is allowed", CheckGroup::geometry, true},
       boundary_overlap{"overlap with the boundary", CheckGroup::geometry, true},
       wires_missing{"wires missing", CheckGroup::geometry, true};
@@ -115,7 +113,7 @@ Verification verify_layouts(const Region& usable_area, std::span<const LayoutToV
     verdict.checks.push_back(verify::make_check(what, limit, -1e300, 0, true));
     return verdict.checks.back();
   };
-  WorkCounter counter(progress, progress_from, progress_to);
+  WorkCounter counter(progress);
   double beyond_bound = -1e300, at_bound = 0;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     const LayoutToVerify& layout = layouts[i];

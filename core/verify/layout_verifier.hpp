@@ -4,12 +4,11 @@
 #include <span>
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/geometry/region/region.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// A layout: wires of one size in a region of the slot.
 struct LayoutToVerify {
@@ -32,7 +31,6 @@ struct LayoutToVerify {
 /// `wires missing <algorithm>, <region>` (the difference of its count to that of the first region); `bound`, the
 /// largest excess of a count over its bound. Cost: O(n · edges) per layout of n wires, about 30 ns each, and the pairs
 /// that overlap along x. Reports stage "verification" at least every 65536 comparisons.
-Verification verify_layouts(const Region& usable_area, std::span<const LayoutToVerify> layouts, Progress& progress,
-                            double progress_from, double progress_to);
+Verification verify_layouts(const Region& usable_area, std::span<const LayoutToVerify> layouts, Progress progress);
 
 }  // namespace bahnwerk

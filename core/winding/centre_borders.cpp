@@ -9,13 +9,13 @@
 
 namespace bahnwerk::winding {
 
-CentreBorders centre_borders(const Region& usable_area, double radius, Progress* progress) {
+CentreBorders centre_borders(const Region& usable_area, double radius, Progress progress) {
   CentreBorders found;
   if (usable_area.empty()) return found;
   const std::vector<Edge> edges = usable_area.parallels(radius);
   std::size_t asked = 0;
   const auto inside = [&](Point p) {
-    if (progress && ++asked % 512 == 0) progress->report("borders", 0);
+    if (++asked % 512 == 0) progress.report("borders", 0);
     return usable_area.distance(p) >= radius - fit_margin;
   };
   const auto corner = [&](Point p) {
@@ -47,10 +47,10 @@ CentreBorders centre_borders(const Region& usable_area, double radius, Progress*
   return found;
 }
 
-CentreBorders exact_fits(const CentreBorders& borders, const Region& centres, Progress* progress) {
+CentreBorders exact_fits(const CentreBorders& borders, const Region& centres, Progress progress) {
   std::size_t asked = 0;
   const auto bounds = [&](Point p) {
-    if (progress && ++asked % 512 == 0) progress->report("borders", 0);
+    if (++asked % 512 == 0) progress.report("borders", 0);
     return !centres.empty() && std::abs(centres.distance(p)) <= 2 * fit_margin;
   };
   CentreBorders left;

@@ -17,10 +17,10 @@ struct CentreBorders {
 };
 /// Computes the borders. O(n log n) for n edges with few crossings of their parallels. Reports fraction 0 to
 /// `progress`, if there is one.
-CentreBorders centre_borders(const Region& usable_area, double radius, Progress* progress = nullptr);
+CentreBorders centre_borders(const Region& usable_area, double radius, Progress progress = {});
 
 /// Returns the part of `borders` that does not bound `centres`, the inward(radius) of that usable area: lines and
 /// points where a wire fits exactly.
-CentreBorders exact_fits(const CentreBorders& borders, const Region& centres, Progress* progress = nullptr);
+CentreBorders exact_fits(const CentreBorders& borders, const Region& centres, Progress progress = {});
 
 }  // namespace bahnwerk::winding

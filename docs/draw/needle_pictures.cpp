@@ -16,7 +16,7 @@ void needle_access(const std::string& file) {
   const StatorPart part;
   const Slot slot = checked_slot(part);
   const NeedleShape needle{2.6, 60};
-  SilentProgress silent;
+  Progress silent;
   const double step = 0.1;
   const std::vector<DrawnClearance> maps{
       {"needle along the radius", clearance_map(part, slot, needle, std::nullopt, step, silent)},

@@ -48,19 +48,19 @@ AccelerationLimitedResult plan(const Contour& contour, const Machine& machine, b
   options.braking_reserve = reserve;
   options.grid = grid;
   options.tolerance = tolerance;
-  SilentProgress silent;
+  Progress silent;
   return plan_acceleration_limited(contour, machine, options, silent);
 }
 
 TimeLaw plan_smooth(const Contour& contour, const Machine& machine) {
-  SilentProgress silent;
+  Progress silent;
   return plan_jerk_limited(contour, machine, {}, silent).law;
 }
 
 Contour rounded(const Contour& contour, double tolerance, const Machine& machine) {
   BlendOptions options;
   options.tolerance = tolerance;
-  SilentProgress silent;
+  Progress silent;
   return blend(contour, options, machine, silent);
 }
 

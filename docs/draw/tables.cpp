@@ -12,7 +12,7 @@ namespace {
 
 void convergence(const std::string& name, const Contour& contour) {
   const Machine m = machine();
-  SilentProgress silent;
+  Progress silent;
   const double bound = lower_bound(contour, m, GridOptions{}.angle / 2, silent).value;
   GridOptions finest;
   finest.angle = 2.5e-4;

@@ -118,7 +118,7 @@ void slot_parameters(const std::string& folder) {
 
 void fill_pictures(const std::string& folder) {
   slot_parameters(folder);
-  SilentProgress silent;
+  Progress silent;
   const FillRequest sweep = stator_sweep();
   const FillPlan plan = plan_fill(sweep, silent);
   for (const std::size_t best : plan.best)
@@ -131,7 +131,7 @@ void fill_pictures(const std::string& folder) {
 }
 
 void fill_table() {
-  SilentProgress silent;
+  Progress silent;
   const FillRequest sweep = stator_sweep();
   const FillPlan plan = plan_fill(sweep, silent);
   std::printf("| mm | bound |");

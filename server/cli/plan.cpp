@@ -20,7 +20,7 @@ namespace bahnwerk::server::cli {
 namespace {
 
 /// Shows progress on a terminal and enforces the document's own time limits, as a worker does.
-class TerminalProgress final : public Progress {
+class TerminalProgress final : public ProgressSink {
  public:
   explicit TerminalProgress(const api::JobRequest& request) : request_(request) {}
   void report(std::string_view stage, double fraction, std::string_view message) override {

@@ -13,7 +13,7 @@
 
 namespace bahnwerk::server {
 
-class JobProgress final : public Progress {
+class JobProgress final : public ProgressSink {
  public:
   using Clock = std::chrono::steady_clock;
   enum class Stop { none, cancelled, deadline, budget, interrupted, lost };

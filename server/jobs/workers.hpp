@@ -22,11 +22,10 @@
 namespace bahnwerk::server {
 
 /// The planner: api::plan_job in the service, a small function in tests.
-using Planner =
-    std::function<api::PlannedJob(const std::string& kind, const std::string& document, Progress& progress)>;
+using Planner = std::function<api::PlannedJob(const std::string& kind, const std::string& document, Progress progress)>;
 
 /// The check of a document whose check was stopped when it was posted. Throws Problem.
-using Checker = std::function<void(const std::string& document, Progress& progress)>;
+using Checker = std::function<void(const std::string& document, Progress progress)>;
 
 class Workers {
  public:

@@ -21,9 +21,9 @@
 namespace bahnwerk::server {
 
 /// Checks a posted document: api::parse_job in the service, a small function in tests.
-using Parser = std::function<api::JobRequest(std::string_view body, Progress* progress)>;
+using Parser = std::function<api::JobRequest(std::string_view body, Progress progress)>;
 /// Checks a posted document for POST /v1/check: api::preview_job in the service.
-using Previewer = std::function<nlohmann::ordered_json(std::string_view body, Progress* progress)>;
+using Previewer = std::function<nlohmann::ordered_json(std::string_view body, Progress progress)>;
 
 struct Context {
   Store& store;

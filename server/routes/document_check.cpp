@@ -33,7 +33,7 @@ std::chrono::nanoseconds thread_time() {
 }
 
 /// Stops a check when `over` says so.
-class CheckProgress final : public Progress {
+class CheckProgress final : public ProgressSink {
  public:
   explicit CheckProgress(std::function<bool()> over) : over_(std::move(over)) {}
   void report(std::string_view, double, std::string_view) override {
@@ -138,8 +138,8 @@ class Preview final : public DocumentCheck {
   using DocumentCheck::DocumentCheck;
 
  private:
-  bool check(std::string_view document, Progress& progress) override {
-    answer_ = context_.preview(document, &progress);
+  bool check(std::string_view document, Progress progress) override {
+    answer_ = context_.preview(document, progress);
     return answer_.at("checked").get<bool>();
   }
   void done() override { reply_(json_answer(200, answer_)); }

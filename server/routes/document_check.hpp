@@ -22,7 +22,7 @@ class DocumentCheck : public std::enable_shared_from_this<DocumentCheck> {
 
  protected:
   /// Checks the document; returns false where `progress` stopped that.
-  virtual bool check(std::string_view document, Progress& progress) = 0;
+  virtual bool check(std::string_view document, Progress progress) = 0;
   virtual void done() = 0;
 
   Context& context_;

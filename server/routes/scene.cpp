@@ -24,7 +24,7 @@ std::optional<api::Scene> scene_of(Context& context, const std::string& id) {
     if (!kind->scene_parts.empty())
       if (const auto result = context.store.open_result(id))
         parts = nlohmann::json::parse(read_parts(*result, {kind->scene_parts.begin(), kind->scene_parts.end()}));
-    SilentProgress progress;
+    Progress progress;
     return kind->scene(spec, parts, progress);
   });
 }

@@ -16,7 +16,7 @@ namespace {
 /// Returns what the views need of the stored document; nothing where this version refuses it.
 std::shared_ptr<const api::ViewFacts> facts_of(Context& context, const std::string& id) {
   return of_stored_spec(context, id, [](const StoredSpec& stored) -> std::shared_ptr<const api::ViewFacts> {
-    SilentProgress progress;
+    Progress progress;
     return stored.kind->view_facts ? stored.kind->view_facts(stored.spec, progress) : nullptr;
   });
 }

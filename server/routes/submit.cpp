@@ -128,8 +128,8 @@ class Post final : public DocumentCheck {
   }
 
   std::shared_ptr<Post> this_post() { return std::static_pointer_cast<Post>(shared_from_this()); }
-  bool check(std::string_view document, Progress& progress) override {
-    job_.request = context_.parse(document, &progress);
+  bool check(std::string_view document, Progress progress) override {
+    job_.request = context_.parse(document, progress);
     return job_.request.checked;
   }
   void done() override {

@@ -12,7 +12,7 @@ constexpr std::size_t piece_bytes = 4 << 20;
 
 }  // namespace
 
-SeriesPacker::SeriesPacker(const api::PlannedJob& planned, std::size_t first, Progress& progress)
+SeriesPacker::SeriesPacker(const api::PlannedJob& planned, std::size_t first, Progress progress)
     : source_(*planned.setpoints),
       stored_(first),
       progress_(progress),

@@ -29,14 +29,14 @@ struct SeriesPiece {
 class SeriesPacker {
  public:
   /// Rows before `first` are stored already; the views need them again. `progress` is asked while rows are read.
-  SeriesPacker(const api::PlannedJob& planned, std::size_t first, Progress& progress);
+  SeriesPacker(const api::PlannedJob& planned, std::size_t first, Progress progress);
   /// Returns the next piece; `last` becomes true with the last one.
   SeriesPiece next(bool& last);
 
  private:
   const SetpointSource& source_;
   std::size_t stored_;
-  Progress& progress_;
+  Progress progress_;
   Compressor compressor_;
   SeriesPiece piece_;
   api::Views views_;

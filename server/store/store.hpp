@@ -69,7 +69,7 @@ class Store : public ChangeSource {
   /// throw Stopped. `seen` is called when all pieces are stored, because clients see that progress, too, and the
   /// job's revision exceeds it. After a StoreError a further call continues where this one ended.
   virtual bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
-                       const SeenRevision& seen, Progress& progress) = 0;
+                       const SeenRevision& seen, Progress progress) = 0;
   /// Puts a running job back as if the attempt had not been made; a job with a requested cancellation is cancelled
   /// instead.
   virtual bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) = 0;

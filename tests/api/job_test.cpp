@@ -51,7 +51,7 @@ TEST(ParseJob, KeepsEachTagOnce) {
 }
 
 /// Stops a check at its n-th question.
-struct StopsAt final : Progress {
+struct StopsAt final : ProgressSink {
   explicit StopsAt(int n) : left(n) {}
   void report(std::string_view, double, std::string_view) override {
     if (--left <= 0) throw Stopped(StopReason::budget);
@@ -63,7 +63,7 @@ TEST(ParseJob, AStoppedCheckLeavesTheRequestUnchecked) {
   auto document = test::read_json(test::source("schemas/examples/job/minimal.json"));
   for (const int n : {1, 2, 1000}) {
     StopsAt progress(n);
-    const auto request = parse_job(document.dump(), &progress);
+    const auto request = parse_job(document.dump(), progress);
     EXPECT_EQ(request.checked, n == 1000);
     EXPECT_EQ(request.document, document.dump());
   }
@@ -75,7 +75,7 @@ TEST(ParseJob, AStoppedCheckLeavesTheRequestUnchecked) {
     faulty[member] = value;
     StopsAt progress(2);
     try {
-      parse_job(faulty.dump(), &progress);
+      parse_job(faulty.dump(), progress);
       ADD_FAILURE() << "faults of the envelope are found all the same: " << member;
     } catch (const Problem& problem) {
       EXPECT_EQ(problem.type().slug, slug);
@@ -84,7 +84,7 @@ TEST(ParseJob, AStoppedCheckLeavesTheRequestUnchecked) {
 }
 
 /// Counts the questions before the stop and those after it.
-struct StopsWhenTold final : Progress {
+struct StopsWhenTold final : ProgressSink {
   explicit StopsWhenTold(int n) : last(n) {}
   void report(std::string_view, double, std::string_view) override {
     if (++asked >= last) throw Stopped(StopReason::cancelled);
@@ -121,7 +121,7 @@ TEST(CheckJob, StopsAtAnyQuestionFromTheFirstByteOn) {
 
 TEST(CheckJob, FindsWhatAStoppedCheckLeftOut) {
   auto document = test::read_json(test::source("schemas/examples/job/minimal.json"));
-  SilentProgress silent;
+  Progress silent;
   EXPECT_NO_THROW(check_job(document.dump(), silent));
   document["spec"]["machine"]["axes"]["x"]["velocity"] = "fast";
   try {
@@ -247,7 +247,7 @@ TEST(JobState, NamesReadBack) {
 }
 
 TEST(PlanJob, RefusesAnUnknownKind) {
-  SilentProgress progress;
+  Progress progress;
   try {
     plan_job("knitting", "{}", progress);
     FAIL();

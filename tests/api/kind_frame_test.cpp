@@ -34,7 +34,7 @@ class Rows final : public SetpointSource {
 
 struct Countdown {
   static constexpr std::string_view name = "countdown", title = "Numbers that fall";
-  static std::size_t read(const json& spec, Progress& progress) {
+  static std::size_t read(const json& spec, Progress progress) {
     if (spec["from"] == 0) throw InvalidInput(std::vector<InputFault>{{{"from"}, "must not be 0"}});
     progress.report("reading", 0.1);
     return spec["from"];
@@ -42,11 +42,11 @@ struct Countdown {
   static void check(std::size_t from) {
     if (from == 13) throw InvalidInput(std::vector<InputFault>{{{"from"}, "brings no luck"}});
   }
-  static std::size_t plan(std::size_t& from, Progress& progress) {
+  static std::size_t plan(std::size_t& from, Progress progress) {
     progress.report("counting", 0.5);
     return from + 1;
   }
-  static KindReport report(std::size_t from, std::size_t& rows, Progress&) {
+  static KindReport report(std::size_t from, std::size_t& rows, Progress) {
     KindReport out;
     out.summary = {{"rows", rows}};
     Verification verdict;
@@ -60,13 +60,13 @@ struct Countdown {
   }
 };
 
-struct Stages final : Progress {
+struct Stages final : ProgressSink {
   void report(std::string_view stage, double, std::string_view) override { seen += std::string(stage) + " "; }
   std::string seen;
 };
 
 PlannedJob planned(std::size_t from) {
-  SilentProgress silent;
+  Progress silent;
   return kind_of<Countdown>().plan({{"from", from}}, silent);
 }
 
@@ -112,7 +112,7 @@ TEST(KindFrame, JobIsVerifiedIfTheVerificationPassed) {
 
 TEST(KindFrame, FaultsOfReadingAndOfCheckingAreFoundWhenTheDocumentIsSubmitted) {
   const Kind kind = kind_of<Countdown>();
-  SilentProgress silent;
+  Progress silent;
   EXPECT_NO_THROW(kind.check({{"from", 12}}, silent));
   for (const int from : {0, 13}) try {
       kind.check({{"from", from}}, silent);

@@ -140,7 +140,7 @@ TEST_P(MutationsOfValues, GetEqualVerdictsFromRulesExplainerAndValijson) {
   const valijson::adapters::NlohmannJsonAdapter schema_adapter(stripped);
   valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(schema_adapter, compiled);
   valijson::Validator validator(valijson::Validator::kStrongTypes);
-  SilentProgress silent;
+  Progress silent;
   std::mt19937_64 random(7);
   std::vector<json> specs;
   for (const auto& file : test::json_files("schemas/examples/" + GetParam())) specs.push_back(test::read_json(file));

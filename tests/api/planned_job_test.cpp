@@ -8,7 +8,7 @@
 namespace bahnwerk::api {
 namespace {
 
-struct Counting final : Progress {
+struct Counting final : ProgressSink {
   explicit Counting(int most) : left(most) {}
   void report(std::string_view stage, double, std::string_view) override {
     EXPECT_EQ(stage, "storing");

@@ -59,7 +59,7 @@ TEST(ResultFiles, LayoutsOfOtherKindsAreRefused) {
 TEST(ResultFiles, TheKindMakesItsFile) {
   const json spec = test::read_json(test::source("schemas/examples/motion_law/minimal.json"));
   const json job = {{"kind", "motion_law"}, {"spec", spec}};
-  SilentProgress silent;
+  Progress silent;
   const json result = json::parse(plan_job("motion_law", job.dump(), silent).result.dump());
   for (const std::string_view layout : find_kind("motion_law")->files.layouts) {
     const ResultFile file = result_file(result, layout);

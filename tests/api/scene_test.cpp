@@ -43,7 +43,7 @@ TEST(Scene, WhatHasNoRoomIsCounted) {
 
 // A scene is made of the document alone; without the result it lacks the laid wires.
 TEST(Scene, KindsInSpaceHaveOne) {
-  SilentProgress silent;
+  Progress silent;
   for (const auto& [kind, file, bodies] : {std::tuple{"winding", "examples/stator_coil.json", 1 + 1 + 4},
                                            std::tuple{"probe_path", "examples/probe_space.json", 3}}) {
     const json spec = test::read_json(test::source(file))["spec"];

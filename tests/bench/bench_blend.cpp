@@ -51,7 +51,7 @@ void finish(benchmark::State& state) {
 void blending(benchmark::State& state, Kind kind) {
   const Contour given = make(kind, state.range(0));
   const Machine machine = bahnwerk::testing::two_axes();
-  SilentProgress progress;
+  Progress progress;
   std::size_t pieces = 0;
   for (auto _ : state) {
     const Contour path = blend(given, {0.02}, machine, progress);
@@ -64,7 +64,7 @@ void blending(benchmark::State& state, Kind kind) {
 
 void checking(benchmark::State& state, Kind kind) {
   const Contour given = make(kind, state.range(0));
-  SilentProgress progress;
+  Progress progress;
   const Contour path = blend(given, {0.02}, bahnwerk::testing::two_axes(), progress);
   for (auto _ : state) {
     const Check check = tube_checks(given, path, 0.02, progress).back();

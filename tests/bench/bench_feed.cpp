@@ -29,8 +29,8 @@ struct Turns {
 template <class Plan>
 void feed(benchmark::State& state, Plan&& plan) {
   const Turns turns(static_cast<int>(state.range(0)));
-  SilentProgress silent;
-  for (auto _ : state) benchmark::DoNotOptimize(plan(turns.task, FeedOptions{}, silent, 0, 1));
+  Progress silent;
+  for (auto _ : state) benchmark::DoNotOptimize(plan(turns.task, FeedOptions{}, silent));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(turns.path.tool.size()));
   state.SetComplexityN(state.range(0));
 }

@@ -19,8 +19,8 @@ Interpolation interpolation(benchmark::State& state) {
   const test::Moved moved = test::from_rest_to_rest(test::path_of({test::quintic()}), cycles, 0.002);
   static std::shared_ptr<const Path> kept;
   kept = moved.path;
-  SilentProgress progress;
-  ProgressScope stage_progress(progress, "bench", 0, 1);
+  Progress progress;
+  ProgressScope stage_progress(progress, "bench");
   return {moved.motion, row.value, moved.cycle_time, cycles, stage_progress};
 }
 

@@ -29,14 +29,14 @@ const Machine m{{{"x", 1800, 16000, 1e6}, {"y", 1800, 16000, 1e6}}};
 
 /// With so many points of the planner's grid.
 Contour spline_of(std::int64_t points, int degree) {
-  SilentProgress progress;
+  Progress progress;
   const std::size_t per_500 = plan_jerk_limited(spline(500, degree), m, {}, progress).cells;
   return spline(std::max(1, static_cast<int>(500 * static_cast<double>(points) / static_cast<double>(per_500))),
                 degree);
 }
 
 void plan(benchmark::State& state, int degree) {
-  SilentProgress progress;
+  Progress progress;
   const Contour contour = spline_of(state.range(0), degree);
   JerkLimitedResult result;
   for (auto _ : state) {
@@ -55,7 +55,7 @@ void plan(benchmark::State& state, int degree) {
 
 /// The bound of the same, per grid point of the plan.
 void bound(benchmark::State& state, int degree) {
-  SilentProgress progress;
+  Progress progress;
   const Contour contour = spline_of(state.range(0), degree);
   const JerkLimitedResult planned = plan_jerk_limited(contour, m, {}, progress);
   Bound low;

@@ -19,7 +19,7 @@ JointTask sheet(std::int64_t cells) {
 
 void solution(benchmark::State& state) {
   const JointTask task = sheet(state.range(0));
-  SilentProgress progress;
+  Progress progress;
   Machine machine = head_limits(task.machine);
   for (AxisLimits& axis : machine.axes) axis.acceleration *= 1 - 1e-7;
   const PathMotion head(
@@ -32,7 +32,7 @@ void solution(benchmark::State& state) {
     options.jerk_range.push_back(unlimited);
   }
   options.longest = chain_units(task.machine.axes[0]).time / 24;
-  ProgressScope stage_progress(progress, "bench", 0, 1);
+  ProgressScope stage_progress(progress, "bench");
   const HeadCells cells = head_cells(head, options, stage_progress);
   const Chain<2> chain = following<2>(cells, 0, task.machine.axes[0]).value();
   ChainSolution<2> s;
@@ -47,7 +47,7 @@ void solution(benchmark::State& state) {
 
 void plan(benchmark::State& state) {
   const JointTask task = sheet(state.range(0));
-  SilentProgress progress;
+  Progress progress;
   JointResult r;
   for (auto _ : state) r = *plan_joint(task, {}, progress);
   state.counters["cells"] = static_cast<double>(r.cells);

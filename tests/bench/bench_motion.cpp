@@ -56,7 +56,7 @@ void plan(benchmark::State& state, Kind kind, bool reserve, bool refine) {
   options.keep_reserve = reserve;
   if (!refine) options.max_divisions = options.max_rounds = 0;
   const Machine m = bahnwerk::testing::two_axes();
-  SilentProgress progress;
+  Progress progress;
   auto make = [&](int n) { return kind == arc_contour ? arcs(n) : spline(n, kind == rational_contour); };
   const std::size_t per_50 = plan_acceleration_limited(make(50), m, options, progress).cells;
   const Contour contour = make(std::max(1, static_cast<int>(50 * wanted / static_cast<double>(per_50))));

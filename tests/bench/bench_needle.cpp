@@ -13,7 +13,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-SilentProgress silent;
+Progress silent;
 
 /// Wires of about this number fill the slot: 0.82 of the area is what the layouts reach.
 double radius_for(const Slot& slot, double wires) {

@@ -13,7 +13,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-SilentProgress silent;
+Progress silent;
 
 void count(benchmark::State& state, std::size_t turns) {
   state.counters["turns"] = static_cast<double>(turns);

@@ -32,7 +32,7 @@ MotionLawProblem cam(std::size_t points, bool free_angles) {
 }
 
 void fixed_angles(benchmark::State& state) {
-  SilentProgress progress;
+  Progress progress;
   const LawTask task = make_law_task(cam(static_cast<std::size_t>(state.range(0)), false));
   int rounds = 0, iterations = 0;
   for (auto _ : state) {
@@ -53,7 +53,7 @@ BENCHMARK(fixed_angles)
     ->Unit(benchmark::kMillisecond);
 
 void all_laws(benchmark::State& state) {
-  SilentProgress progress;
+  Progress progress;
   const LawTask task = make_law_task(cam(static_cast<std::size_t>(state.range(0)), false));
   const LawBasis basis(task, 7, 1);
   const KnownLaw law(task, basis, SplineProgram(task, basis, task.middle()).solve({}, progress));
@@ -62,7 +62,7 @@ void all_laws(benchmark::State& state) {
 BENCHMARK(all_laws)->Arg(5)->Arg(50)->Unit(benchmark::kMillisecond);
 
 void free_angles(benchmark::State& state) {
-  SilentProgress progress;
+  Progress progress;
   const LawTask task = make_law_task(cam(static_cast<std::size_t>(state.range(0)) + 1, true));
   const LawBasis basis(task, 7, 1);
   for (auto _ : state) benchmark::DoNotOptimize(optimise_angles(task, basis, 1, progress).spline.objective);

@@ -18,7 +18,7 @@ double cpu_seconds() {
 }
 
 /// The longest time between two calls.
-struct LongestGap final : Progress {
+struct LongestGap final : ProgressSink {
   void report(std::string_view, double, std::string_view) override {
     const double now = cpu_seconds();
     longest = std::max(longest, now - last);

@@ -28,7 +28,7 @@ void max_wires(benchmark::State& state) {
   const double outer = 1e-3 * static_cast<double>(state.range(0)), least = 1e-3 * static_cast<double>(state.range(1));
   PotentialOptions options;
   options.overlap = 0.25 * (outer - least);
-  SilentProgress progress;
+  Progress progress;
   std::size_t wires = 0;
   for (auto _ : state) wires = potential(usable_area, outer / 2, {}, options, progress).size();
   const double area = static_cast<double>(wires) * std::numbers::pi * outer * outer / 4;
@@ -55,7 +55,7 @@ void minimisation(benchmark::State& state) {
   const Region usable_area = stator_room();
   const auto count = static_cast<std::size_t>(state.range(0));
   const double radius = std::sqrt(0.86 * usable_area.area() / (static_cast<double>(count) * std::numbers::pi));
-  SilentProgress progress;
+  Progress progress;
   const CentreArea centres(usable_area, radius, progress);
   const std::vector<Point> places = centres.spread(radius / 3);
   Random random(1);

@@ -39,7 +39,7 @@ ProbeProblem problem(Kind kind, std::int64_t points) {
 
 void shortest(benchmark::State& state) {
   const ProbeProblem p = problem(static_cast<Kind>(state.range(0)), state.range(1));
-  SilentProgress silent;
+  Progress silent;
   double duration = 0;
   for (auto _ : state) duration = plan_optimal(p, silent).duration();
   state.counters["duration"] = duration;
@@ -47,7 +47,7 @@ void shortest(benchmark::State& state) {
 }
 void bounded(benchmark::State& state) {
   const ProbeProblem p = problem(static_cast<Kind>(state.range(0)), state.range(1));
-  SilentProgress silent;
+  Progress silent;
   double duration = 0;
   for (auto _ : state) duration = probe_bound(p, silent).value;
   state.counters["duration"] = duration;

@@ -16,7 +16,7 @@ void sheet(benchmark::State& state, PlanningMethod method, test::Hole hole) {
   const Contour contour = test::sheet(hole, 0, holes);
   ContourPlanning planning;
   planning.method = method;
-  SilentProgress progress;
+  Progress progress;
   for (auto _ : state) benchmark::DoNotOptimize(plan_contour(contour, m, planning, progress).duration);
   state.counters["per_hole"] =
       benchmark::Counter(holes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -55,7 +55,7 @@ void verifying(benchmark::State& state, Shape shape) {
   const Contour contour = wave(shape, static_cast<int>(std::max<std::size_t>(1, pieces / 200)));
   const TimeLaw law = wavy_law(contour, pieces);
   const Machine m = machine(2, 1800, 16000);
-  SilentProgress silent;
+  Progress silent;
   for (auto _ : state) benchmark::DoNotOptimize(verify_motion({contour, m, law, 1e-3}, silent));
   state.counters["per_piece"] = benchmark::Counter(
       double(law.pieces().size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
@@ -73,7 +73,7 @@ void rows(benchmark::State& state, Shape shape, bool check) {
   const auto motion = test::slowed(contour, m, law, cycles);
   const ContourSetpoints source(motion, contour, m, cycles.count);
   std::vector<double> chunk(1024 * source.columns().size());
-  SilentProgress silent;
+  Progress silent;
   for (auto _ : state) {
     if (check) {
       benchmark::DoNotOptimize(setpoint_checks({motion->path(), m, motion->law(), source, &contour}, silent));
@@ -98,7 +98,7 @@ BENCHMARK_CAPTURE(rows, check_cubics, cubics, true)->Arg(100)->Unit(benchmark::k
 void bounding(benchmark::State& state, Shape shape) {
   const Contour contour = wave(shape, static_cast<int>(state.range(0)));
   const Machine m = machine(2, 1800, 16000);
-  SilentProgress silent;
+  Progress silent;
   Bound bound;
   for (auto _ : state) bound = lower_bound(contour, m, 1e-3, silent);
   const double nodes = std::atof(bound.basis.substr(bound.basis.find_first_of("0123456789")).c_str());

@@ -33,9 +33,9 @@ void verifying(benchmark::State& state) {
   std::vector<Point> wires;
   for (double y = 0.5; y < side; ++y)
     for (double x = 0.5; x < side; ++x) wires.push_back({x, y});
-  SilentProgress silent;
+  Progress silent;
   const LayoutToVerify layout{"lattice", 0.9, 0.5, 0, wires, n};
-  for (auto _ : state) benchmark::DoNotOptimize(verify_layouts(slot.usable_area, std::span(&layout, 1), silent, 0, 1));
+  for (auto _ : state) benchmark::DoNotOptimize(verify_layouts(slot.usable_area, std::span(&layout, 1), silent));
   state.SetComplexityN(state.range(0));
 }
 
@@ -48,14 +48,14 @@ void sweep(benchmark::State& state, winding::Series series) {
                         Algorithm::potential, Algorithm::needle};
   request.tie_in = request.slot.tension_point;
   request.heads = winding::StatorHeads{};
-  SilentProgress silent;
+  Progress silent;
   for (auto _ : state) benchmark::DoNotOptimize(plan_fill(request, silent));
 }
 
 /// The rows of four turns on the example stator, read beforehand.
 void coil_slots(benchmark::State& state) {
   const WindingRequest asked = stator_request(4);
-  SilentProgress silent;
+  Progress silent;
   const WindingPlan plan = plan_winding(asked, silent);
   const SetpointSource& setpoints = *plan.motion.setpoints;
   const std::size_t count = setpoints.count(), width = setpoints.columns().size();

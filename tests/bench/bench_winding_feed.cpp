@@ -16,7 +16,7 @@ namespace bahnwerk {
 namespace {
 
 /// Processor time by stages, as they are reported: a stage's own reports are some milliseconds apart.
-class StageTimes final : public Progress {
+class StageTimes final : public ProgressSink {
  public:
   void report(std::string_view stage, double, std::string_view) override {
     const std::clock_t now = std::clock();

@@ -21,9 +21,9 @@ void row(const RedundancyTask& task, RedundancyOptions options, const char* name
   for (const auto& [degree, multiplicity] : {std::pair{2, 1}, {3, 1}, {3, 2}, {4, 1}, {4, 2}, {5, 1}}) {
     options.degree = degree;
     options.knot_multiplicity = multiplicity;
-    SilentProgress progress;
+    Progress progress;
     const double begin = processor_time();
-    const Expected<RedundancyResult, NoPlan> found = plan_iterative(task, options, progress, 0, 1);
+    const Expected<RedundancyResult, NoPlan> found = plan_iterative(task, options, progress);
     const double spent = processor_time() - begin;
     if (!found) {
       std::printf("%-34s m=%d k=%d  no split\n", name, degree, multiplicity);

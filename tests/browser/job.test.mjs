@@ -1,11 +1,9 @@
 // The page of a job: what it says at first sight, ribbon and curves, verification, jobs that run or have failed.
 import { assert, colours, example, lasting, snake, test, yielding } from './support.mjs';
 
-const hash = (page) => Object.fromEntries(new URLSearchParams(new URL(page.page.url()).hash.slice(1)));
 /** Returns what the address carries when the page has settled; `holds` says what that must be. */
 async function address(page, holds) {
-  await page.quiet();
-  const state = hash(page);
+  const state = Object.fromEntries(new URLSearchParams((await page.address()).hash.slice(1)));
   assert.ok(holds(state), `the address carries ${JSON.stringify(state)}, not ${holds}`);
   return state;
 }
@@ -44,8 +42,7 @@ test('a limit in the table of reasons shows the place where it holds, and the ad
   await page.locator('#why tr[data-limit] button').first().click();
   const state = await address(page, ({ row, count }) => row && count);
   assert.equal(state.locked, '1');
-  await page.quiet();
-  const again = await visit(new URL(page.page.url()).pathname + new URL(page.page.url()).hash);
+  const { pathname, hash } = await page.address(), again = await visit(pathname + hash);
   await again.quiet();
   assert.deepEqual(await address(again, ({ row }) => row), state);
   assert.equal(await again.locator('.readout').innerText(), await page.locator('.readout').innerText());
@@ -108,8 +105,7 @@ test('columns are chosen by boxes, curves drawn over path length, and a link car
   await page.locator('#curves input[value=x]').check();
   await page.locator('#curves select').selectOption('s');
   await address(page, ({ x, cols }) => x === 's' && cols?.split(',').includes('x'));
-  await page.quiet();
-  const again = await visit(new URL(page.page.url()).pathname + new URL(page.page.url()).hash);
+  const { pathname, hash } = await page.address(), again = await visit(pathname + hash);
   await again.quiet();
   assert.equal(await again.locator('#curves select').inputValue(), 's');
   assert.ok(await again.locator('#curves .chart-head', { hasText: 'position x' }).count());

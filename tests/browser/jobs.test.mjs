@@ -14,7 +14,7 @@ test('filters stand in the address, which makes the same list again', async ({ o
   await shown(page, 3);
   await page.locator('select[name=sort]').selectOption('oldest');
   await page.locator('tbody tr').first().filter({ hasText: 'bracket left' }).waitFor();
-  const address = new URL(page.page.url());
+  const address = await page.address();
   assert.equal(address.search, '?text=bracket&sort=oldest');
   const again = await visit(address.pathname + address.search, { service });
   await shown(again, 3);

@@ -13,5 +13,5 @@ for (const { size, lang } of [{ size: 'desk', lang: 'en' }, { size: 'phone', lan
     const { jobs } = await service.ask('/v1/jobs');
     assert.equal(jobs.length, 1);
     assert.equal(jobs[0].state, 'succeeded');
-    assert.equal(new URL(page.page.url()).pathname, `/jobs/${jobs[0].id}`);
+    assert.equal((await page.address()).pathname, `/jobs/${jobs[0].id}`);
   });

@@ -119,6 +119,12 @@ export class Visit {
     return result.value;
   }
 
+  /** Returns the page's address when all that was done to it has settled. Playwright's own url() follows what a script writes into it some time later. */
+  async address() {
+    await this.quiet();
+    return new URL(await this.read('location.href'));
+  }
+
   /** Waits until all that was done to the page has led to is there: answers, drawings, the address. Pictures count, too; streams of events do not, nor what is
    *  asked once more: pages look for changes again and again. */
   async quiet() {

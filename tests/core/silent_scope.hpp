@@ -6,8 +6,8 @@ namespace bahnwerk {
 
 /// Reports to nobody and never stops.
 inline ProgressScope& silent_scope() {
-  static SilentProgress progress;
-  static ProgressScope stage_progress(progress, "test", 0, 1);
+  static Progress progress;
+  static ProgressScope stage_progress(progress, "test");
   return stage_progress;
 }
 

@@ -180,7 +180,7 @@ TEST_F(ServiceTest, EndsInTimeWhateverItIsDoing) {
   options.answer_patience = 100ms;  // too little for a check that has not ended
   std::atomic<bool> checking{false}, over{false};
   Engine engine = stub_engine();
-  engine.parse = [&, parse = engine.parse](std::string_view body, Progress* progress) {
+  engine.parse = [&, parse = engine.parse](std::string_view body, Progress progress) {
     if (body == R"({"slow":true})") {
       checking = true;
       while (!over) std::this_thread::sleep_for(1ms);
@@ -209,7 +209,7 @@ TEST_F(ServiceTest, TellsThatAPlannerDidNotStop) {
   options.stop_patience = 50ms;
   std::atomic<bool> planning{false}, over{false};
   Engine engine = stub_engine();
-  engine.plan = [&](const std::string&, const std::string&, Progress&) -> api::PlannedJob {
+  engine.plan = [&](const std::string&, const std::string&, Progress) -> api::PlannedJob {
     planning = true;
     while (!over) std::this_thread::sleep_for(1ms);
     throw Infeasible("in the end");
@@ -227,7 +227,7 @@ TEST_F(ServiceTest, LooksAtJobsWhileDocumentsAreChecked) {
   std::atomic<bool> over{false};
   std::atomic<int> checking{0}, checked{0}, answered{0};
   Engine engine = stub_engine();
-  engine.parse = [&, parse = engine.parse](std::string_view body, Progress* progress) {
+  engine.parse = [&, parse = engine.parse](std::string_view body, Progress progress) {
     if (body == R"({"slow":true})") {
       ++checking;
       while (!over) std::this_thread::sleep_for(1ms);
@@ -256,7 +256,7 @@ TEST_F(ServiceTest, LooksAtJobsWhileDocumentsAreChecked) {
 }
 
 /// Asks `progress` until it stops the check, which takes processor time; returns the request as not checked.
-api::JobRequest checked_for_ever(Progress& progress, api::JobRequest request) {
+api::JobRequest checked_for_ever(Progress progress, api::JobRequest request) {
   try {
     for (;;) progress.report("read", 0);
   } catch (const Stopped&) {
@@ -268,7 +268,7 @@ api::JobRequest checked_for_ever(Progress& progress, api::JobRequest request) {
 TEST_F(ServiceTest, LongChecksEndAndNeverHoldAShortOne) {
   Engine engine = stub_engine(time);
   std::atomic<int> begun{0};
-  engine.parse = [&, parse = engine.parse](std::string_view body, Progress* progress) {
+  engine.parse = [&, parse = engine.parse](std::string_view body, Progress progress) {
     api::JobRequest request = parse(body, progress);
     if (body != R"({"long":true})") return request;
     ++begun;
@@ -297,10 +297,10 @@ TEST_F(ServiceTest, LongChecksEndAndNeverHoldAShortOne) {
 
 TEST_F(ServiceTest, TheCheckThatWasStoppedIsTheBeginOfThePlan) {
   Engine engine = stub_engine();
-  engine.parse = [parse = engine.parse](std::string_view body, Progress* progress) {
+  engine.parse = [parse = engine.parse](std::string_view body, Progress progress) {
     return checked_for_ever(*progress, parse(body, progress));
   };
-  engine.check = [](std::string_view, Progress&) { throw api::Problem("semantic-violation", "found late"); };
+  engine.check = [](std::string_view, Progress) { throw api::Problem("semantic-violation", "found late"); };
   service = std::make_unique<Service>(options, std::move(engine));
   client = std::make_unique<HttpClient>("http://" + service->address());
   const json job = await(posted(R"({"long":true})"), "failed");
@@ -310,7 +310,7 @@ TEST_F(ServiceTest, TheCheckThatWasStoppedIsTheBeginOfThePlan) {
 
 TEST_F(ServiceTest, ACheckWithoutMemoryIsRefusedWithASentence) {
   Engine engine = stub_engine();
-  engine.parse = [](std::string_view, Progress*) -> api::JobRequest { throw std::bad_alloc(); };
+  engine.parse = [](std::string_view, Progress) -> api::JobRequest { throw std::bad_alloc(); };
   service = std::make_unique<Service>(options, std::move(engine));
   client = std::make_unique<HttpClient>("http://" + service->address());
   const Response answer = post("{}");

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 /// {"rows":N} plans a ramp of N rows; {"forever":true} reports until it is stopped; {"deadline_in":MS} has a deadline.
 inline Engine stub_engine(const TimeSource& time = system_time()) {
   Engine engine;
-  engine.preview = [](std::string_view, Progress*) {
+  engine.preview = [](std::string_view, Progress) {
     return nlohmann::ordered_json{{"kind", "ramp"}, {"checked", true}};
   };
   engine.parse = [&time](std::string_view body, Progress*) {
@@ -32,7 +32,7 @@ inline Engine stub_engine(const TimeSource& time = system_time()) {
     if (document.contains("deadline_in")) request.deadline = time.now_ms() + document["deadline_in"].get<int>();
     return request;
   };
-  engine.plan = [](const std::string&, const std::string& text, Progress& progress) {
+  engine.plan = [](const std::string&, const std::string& text, Progress progress) {
     const json document = json::parse(text);
     while (document.value("forever", false)) {
       progress.report("forever", 0.5, "round and round");

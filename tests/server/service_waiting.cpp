@@ -192,7 +192,7 @@ TEST_F(ServiceTest, ManyStreamsTakeNoThreadsAndEndWithTheService) {
 
 TEST_F(ServiceTest, AJobThatCannotEndInItsTimeIsRefusedAndALongOneIsNoted) {
   Engine engine = stub_engine();
-  engine.parse = [parse = engine.parse](std::string_view body, Progress* progress) {
+  engine.parse = [parse = engine.parse](std::string_view body, Progress progress) {
     api::JobRequest request = parse(body, progress);
     const json document = json::parse(body);
     if (document.contains("takes"))

@@ -15,11 +15,11 @@ namespace bahnwerk::api::test {
 class SpecPlanner {
  public:
   explicit SpecPlanner(std::string_view kind) : kind_(kind) {}
-  PlannedJob operator()(const nlohmann::json& spec, Progress& progress) const {
+  PlannedJob operator()(const nlohmann::json& spec, Progress progress) const {
     return checked(find_kind(kind_)->plan(spec, progress));
   }
   PlannedJob operator()(const nlohmann::json& spec) const {
-    SilentProgress silent;
+    Progress silent;
     return (*this)(spec, silent);
   }
 
@@ -29,7 +29,7 @@ class SpecPlanner {
 
 /// Plans the text of a job document.
 inline PlannedJob planned_document(const std::string& text) {
-  SilentProgress silent;
+  Progress silent;
   const JobRequest request = parse_job(text);
   return checked(plan_job(request.kind, request.document, silent));
 }

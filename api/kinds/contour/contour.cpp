@@ -18,7 +18,7 @@
 #include "api/views/segments.hpp"
 #include "core/base/borrowed.hpp"
 #include "core/base/errors.hpp"
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 #include "core/machine/degrees.hpp"
 #include "core/plan/coarse_fine/axis_drawing.hpp"
 #include "core/plan/contour/contour_axes.hpp"
@@ -162,7 +162,7 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
 }
 
 /// `law` is the time law of the motion along the path; `way` is the path of the coarse axes, if there are any.
-ordered_json drawings(const ContourPlan& plan, const TimeLaw& law, std::vector<Vec> way, Progress& progress) {
+ordered_json drawings(const ContourPlan& plan, const TimeLaw& law, std::vector<Vec> way, Progress progress) {
   char title[80];
   std::snprintf(title, sizeof title, "path of %.6g mm, %.6g s", plan.path_length, plan.duration);
   return {{"contour.svg", contour_drawing(*plan.path, {.title = title, .way = std::move(way), .law = &law}, progress)}};
@@ -265,7 +265,7 @@ struct Planned {
   ContourPlan& head() { return coarse_fine ? coarse_fine->contour : contour; }
 };
 
-ContourPlan plan_cartesian(ContourJob& job, Progress& progress) {
+ContourPlan plan_cartesian(ContourJob& job, Progress progress) {
   ContourPlan plan = plan_contour(std::move(job.contour), job.head, job.planning, progress);
   if (!method_row(job.planning.method).limits_jerk)
     for (const auto& axis : job.head.axes)
@@ -279,19 +279,18 @@ ContourPlan plan_cartesian(ContourJob& job, Progress& progress) {
 constexpr double planned_of_study =
     0.15;  // part of the progress in which a job with a study plans the machine as it is
 
-Planned plan_with_fine_axes(const ContourJob& job, Progress& progress) {
+Planned plan_with_fine_axes(const ContourJob& job, Progress progress) {
   const CoarseFineMachine& machine = *job.coarse_fine;
   const bool study = job.planning.machine_study;
-  ProgressPart part(progress, "planning", 0, planned_of_study);
-  Progress& first =
-      study ? static_cast<Progress&>(part) : progress;  // a job without a study shows the planner's own stages
+  // A job without a study shows the planner's own stages.
+  const Progress first = study ? progress.part(0, planned_of_study).named("planning") : progress;
   Planned planned;
   planned.coarse_fine = plan_coarse_fine(job.contour, machine, job.planning, job.redundancy, first);
   std::vector<std::string>& notes = planned.head().notes;
   notes.insert(notes.end(), job.unused.begin(), job.unused.end());
   if (study)
-    planned.study =
-        machine_study(job.contour, machine, job.planning, job.redundancy, job.studies, progress, planned_of_study, 1);
+    planned.study = machine_study(job.contour, machine, job.planning, job.redundancy, job.studies,
+                                  progress.part(planned_of_study, 1));
   return planned;
 }
 
@@ -305,7 +304,7 @@ Machine stage_axes(const CoarseFineMachine& machine) {
   return axes;
 }
 
-void report_fine_axes(const ContourJob& job, const Planned& planned, Progress& progress, KindReport& out) {
+void report_fine_axes(const ContourJob& job, const Planned& planned, Progress progress, KindReport& out) {
   const CoarseFinePlan& plan = *planned.coarse_fine;
   report(plan, *job.coarse_fine, job.redundancy.method, job.program, out);
   if (job.redundancy.method == RedundancyMethod::lag_compensation)
@@ -328,7 +327,7 @@ std::shared_ptr<const SegmentTable> table_of(const std::vector<DrivenSegment>& s
 
 /// Returns what the motion of the setpoints drives when.
 std::shared_ptr<const SegmentTable> segments(const ContourPlan& plan, const ContourJob& job, const TimeLaw& law,
-                                             Progress& progress) {
+                                             Progress progress) {
   const auto axes = plan.axes ? plan.axes : std::make_shared<const ContourAxes>(plan.path, job.head);
   return table_of(driven_segments(*plan.path, *axes->along(plan.path).moving, axes->machine(), law, progress),
                   job.program);
@@ -340,7 +339,7 @@ struct ContourKind {
 
   static constexpr std::array<std::string_view, 0> scene_parts{};
 
-  static ContourJob read(const json& spec, Progress& progress) {
+  static ContourJob read(const json& spec, Progress progress) {
     ContourJob job = read_contour_job(spec);
     job.contour = geometry(spec, progress);
     check_contour(job.contour, job);
@@ -368,7 +367,7 @@ struct ContourKind {
     return facts;
   }
 
-  static std::shared_ptr<const SegmentTable> document_segments(const ContourJob& job, Progress& progress) {
+  static std::shared_ptr<const SegmentTable> document_segments(const ContourJob& job, Progress progress) {
     const GivenAxes given(job);
     return table_of(bahnwerk::document_segments(job.contour, *given.moving, given.axes.machine(), progress),
                     job.program);
@@ -380,11 +379,11 @@ struct ContourKind {
     return machine.contains("coarse") && machine["coarse"].contains("z");
   }
 
-  static Scene scene(const ContourJob& job, const json&, Progress& progress) {
+  static Scene scene(const ContourJob& job, const json&, Progress progress) {
     return contour_scene(job.contour, *job.coarse_fine, progress);
   }
 
-  static ordered_json preview(const ContourJob& job, Progress& progress) {
+  static ordered_json preview(const ContourJob& job, Progress progress) {
     const GivenAxes given(job);
     const DurationEstimate time =
         estimate_duration(job.contour, *given.moving, given.axes.machine(), job.planning.corner_angle, progress);
@@ -409,12 +408,12 @@ struct ContourKind {
             {"outline", {{"vertices", std::move(vertices)}, {"cut", std::move(cut)}, {"tolerance", shape.tolerance}}}};
   }
 
-  static Planned plan(ContourJob& job, Progress& progress) {
+  static Planned plan(ContourJob& job, Progress progress) {
     return job.coarse_fine ? plan_with_fine_axes(job, progress)
                            : Planned{plan_cartesian(job, progress), std::nullopt, std::nullopt};
   }
 
-  static KindReport report(const ContourJob& job, Planned& planned, Progress& progress) {
+  static KindReport report(const ContourJob& job, Planned& planned, Progress progress) {
     ContourPlan& plan = planned.head();
     KindReport out;
     out.summary = {{"duration", plan.duration},

@@ -18,7 +18,7 @@ ToolMachine machine(const nlohmann::json& spec);
 /// Reads the planning options of a spec that passed its schema.
 ContourPlanning planning(const nlohmann::json& spec);
 /// Reads the contour. Throws InvalidInput naming every fault, with places relative to the spec.
-Contour geometry(const nlohmann::json& spec, Progress& progress);
+Contour geometry(const nlohmann::json& spec, Progress progress);
 Contour geometry(const nlohmann::json& spec);
 
 }  // namespace bahnwerk::api::contour

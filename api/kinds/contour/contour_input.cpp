@@ -128,16 +128,16 @@ void add_segment(ContourBuilder& builder, const json& segment) {
   }
 }
 
-Contour from_points(const json& contour, Progress& progress) {
+Contour from_points(const json& contour, Progress progress) {
   const auto& points = contour["points"];
   const std::size_t dimension = points[0].size();
   DimensionCheck check(dimension);
   check.points(points, {"contour", "points"});
   check.finish();
-  return polyline(dimension, vecs(points), contour.value("closed", false), feed(contour), &progress);
+  return polyline(dimension, vecs(points), contour.value("closed", false), feed(contour), progress);
 }
 
-Contour from_blocks(const json& contour, Progress& progress) {
+Contour from_blocks(const json& contour, Progress progress) {
   const std::size_t dimension = contour["start"].size();
   const auto& blocks = contour["blocks"];
   DimensionCheck check(dimension);
@@ -190,7 +190,7 @@ std::map<int, double> cutter_radius(const json& document) {
   return list;
 }
 
-Contour from_gcode(const json& contour, Progress& progress) {
+Contour from_gcode(const json& contour, Progress progress) {
   GcodeOptions options;
   options.feed = feed(contour);
   if (contour.contains("offsets"))
@@ -211,7 +211,7 @@ Contour from_gcode(const json& contour, Progress& progress) {
 /// The text "AutoCAD Binary DXF" in base64.
 constexpr const char* binary_drawing = "QXV0b0NBRCBCaW5hcnkgRFhG";
 
-Contour from_dxf(const json& contour, Progress& progress) {
+Contour from_dxf(const json& contour, Progress progress) {
   DxfOptions options;
   options.feed = feed(contour);
   options.max_curves = max_segments;
@@ -229,7 +229,7 @@ Contour from_dxf(const json& contour, Progress& progress) {
 
 }  // namespace
 
-Contour geometry(const json& spec, Progress& progress) {
+Contour geometry(const json& spec, Progress progress) {
   const auto& contour = spec["contour"];
   if (contour.contains("points")) return from_points(contour, progress);
   if (contour.contains("gcode")) return from_gcode(contour, progress);
@@ -238,7 +238,7 @@ Contour geometry(const json& spec, Progress& progress) {
 }
 
 Contour geometry(const json& spec) {
-  SilentProgress silent;
+  Progress silent;
   return geometry(spec, silent);
 }
 

@@ -33,7 +33,7 @@ void add_lines(const Outline& shape, Scene& scene) {
 
 }  // namespace
 
-Scene contour_scene(const Contour& contour, const CoarseFineMachine& machine, Progress& progress) {
+Scene contour_scene(const Contour& contour, const CoarseFineMachine& machine, Progress progress) {
   const Outline shape = outline(contour, max_scene_vertices / 2, progress);
   Scene scene;
   scene.tolerance = shape.tolerance;

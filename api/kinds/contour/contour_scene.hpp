@@ -8,6 +8,6 @@
 namespace bahnwerk::api::contour {
 
 /// Returns the scene in the base frame, with at most max_scene_vertices vertices.
-Scene contour_scene(const Contour& contour, const CoarseFineMachine& machine, Progress& progress);
+Scene contour_scene(const Contour& contour, const CoarseFineMachine& machine, Progress progress);
 
 }  // namespace bahnwerk::api::contour

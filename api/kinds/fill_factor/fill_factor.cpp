@@ -102,7 +102,7 @@ ordered_json layout(const FilledLayout& filled, double slot_area, const winding:
   return out;
 }
 
-ordered_json drawings(const FillRequest& request, const FillPlan& plan, Progress& progress) {
+ordered_json drawings(const FillRequest& request, const FillPlan& plan, Progress progress) {
   ordered_json out = ordered_json::object();
   for (const std::size_t best : plan.best) {
     const FilledLayout& filled = plan.layouts[best];
@@ -138,7 +138,7 @@ struct Asked {
   bool drawings = true;
 };
 
-ordered_json details(const Asked& asked, const FillPlan& plan, Progress& progress) {
+ordered_json details(const Asked& asked, const FillPlan& plan, Progress progress) {
   const winding::Slot& given = asked.fill.slot;
   const double area = given.iron.area();  // area of all coil sides
   ordered_json layouts = ordered_json::array(), best = ordered_json::array();
@@ -160,8 +160,8 @@ struct FillFactorKind {
   static constexpr std::string_view name = "fill_factor";
   static constexpr std::string_view title = "How many round wires a slot takes, by winding styles";
 
-  static Asked read(const json& spec, Progress& progress) {
-    return {request(spec, &progress), spec.value("drawings", true)};
+  static Asked read(const json& spec, Progress progress) {
+    return {request(spec, progress), spec.value("drawings", true)};
   }
 
   static PlanningTime expected_time(const Asked& asked) {
@@ -172,9 +172,9 @@ struct FillFactorKind {
                 "the number of wires, and effort for the algorithm potential, shorten it in proportion"};
   }
 
-  static FillPlan plan(const Asked& asked, Progress& progress) { return plan_fill(asked.fill, progress); }
+  static FillPlan plan(const Asked& asked, Progress progress) { return plan_fill(asked.fill, progress); }
 
-  static KindReport report(const Asked& asked, const FillPlan& plan, Progress& progress) {
+  static KindReport report(const Asked& asked, const FillPlan& plan, Progress progress) {
     KindReport out;
     out.summary = summary(plan.layouts[plan.top]);
     out.summary["best_producible"] = best_producible(plan);

@@ -11,6 +11,6 @@ namespace bahnwerk::api::fill_factor {
 inline constexpr std::size_t max_wires = 2000;  // deciding whether they can be wound takes half a minute
 
 /// Reads a spec that passed its schema. Throws InvalidInput naming every fault, with places relative to the spec.
-FillRequest request(const nlohmann::json& spec, Progress* progress = nullptr);
+FillRequest request(const nlohmann::json& spec, Progress progress = {});
 
 }  // namespace bahnwerk::api::fill_factor

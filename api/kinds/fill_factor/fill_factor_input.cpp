@@ -59,7 +59,7 @@ constexpr double degree = std::numbers::pi / 180;
 Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
 
 /// Reads the slot, a drawn one turned upright as kind winding has it.
-void read_slot(const json& s, FillRequest& request, Progress* progress) {
+void read_slot(const json& s, FillRequest& request, Progress progress) {
   if (s["type"] == "stator") {
     request.slot = make_slot(stator_slot(s));
   } else if (s["type"] == "rotor") {
@@ -229,7 +229,7 @@ void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault
 
 }  // namespace
 
-FillRequest request(const json& spec, Progress* progress) {
+FillRequest request(const json& spec, Progress progress) {
   FillRequest request;
   read_slot(spec["slot"], request, progress);
   std::vector<InputFault> faults;

@@ -73,7 +73,7 @@ ResultFile cam_table(const nlohmann::json& result, std::string_view layout, std:
 }
 
 /// Sections that the drive limits name the drive where they exclude every law.
-LawPlan planned_law(const MotionLawRequest& asked, Progress& progress) {
+LawPlan planned_law(const MotionLawRequest& asked, Progress progress) {
   try {
     return plan_motion_law(asked.problem, asked.sampling, progress);
   } catch (const InfeasibleAt& error) {
@@ -124,7 +124,7 @@ struct MotionLawKind {
       "cam table", layout_names,
       "Header X-Refit-Error says by how much the controller's motion then differs from the law.", cam_table};
 
-  static MotionLawRequest read(const nlohmann::json& spec, Progress&) { return request(spec); }
+  static MotionLawRequest read(const nlohmann::json& spec, Progress) { return request(spec); }
 
   static void check(const MotionLawRequest& asked) {
     constexpr std::size_t quickly_solved = 200;  // points, some 2 ms
@@ -138,7 +138,7 @@ struct MotionLawKind {
 
   static ViewFacts view_facts(const MotionLawRequest& asked) { return {declared_limits(asked.problem)}; }
 
-  static MotionLawPlan plan(const MotionLawRequest& asked, Progress& progress) {
+  static MotionLawPlan plan(const MotionLawRequest& asked, Progress progress) {
     MotionLawPlan plan{planned_law(asked, progress), {}, {}};
     if (asked.cam) plan.cam = plan_cam(*asked.cam, plan, progress);
     if (asked.drive.given_cycle) check_drive(*asked.drive.given_cycle, plan);
@@ -146,7 +146,7 @@ struct MotionLawKind {
     return plan;
   }
 
-  static KindReport report(const MotionLawRequest& asked, const MotionLawPlan& plan, Progress&) {
+  static KindReport report(const MotionLawRequest& asked, const MotionLawPlan& plan, Progress) {
     KindReport out = report_law(asked, plan);
     if (asked.drawings) {
       out.drawings = {{"law.svg", law_drawing(plan)}, {"spectrum.svg", spectrum_drawing(plan)}};

@@ -42,7 +42,7 @@ struct ProbePathKind {
 
   static constexpr std::array<std::string_view, 0> scene_parts{};
 
-  static Asked read(const json& spec, Progress&) { return {request(spec), notes(spec)}; }
+  static Asked read(const json& spec, Progress) { return {request(spec), notes(spec)}; }
 
   static ViewFacts view_facts(const Asked& asked) {
     const ProbeProblem& problem = asked.probe.problem;
@@ -54,7 +54,7 @@ struct ProbePathKind {
     return facts;
   }
 
-  static ordered_json preview(const Asked& asked, Progress& progress) {
+  static ordered_json preview(const Asked& asked, Progress progress) {
     const ProbeProblem& problem = asked.probe.problem;
     double length = 0;
     for (std::size_t i = 1; i < problem.points.size(); ++i) length += norm(problem.points[i] - problem.points[i - 1]);
@@ -70,7 +70,7 @@ struct ProbePathKind {
             {"outline", {{"vertices", std::move(vertices)}, {"tolerance", shape.tolerance}}}};
   }
 
-  static Scene scene(const Asked& asked, const json&, Progress& progress) {
+  static Scene scene(const Asked& asked, const json&, Progress progress) {
     const ProbeProblem& problem = asked.probe.problem;
     const Outline shape = outline(problem.points, max_scene_vertices / 2, progress);
     const bool flat = problem.dimension() == 2;
@@ -87,9 +87,9 @@ struct ProbePathKind {
     return scene;
   }
 
-  static ProbePlan plan(const Asked& asked, Progress& progress) { return plan_probe(asked.probe, progress); }
+  static ProbePlan plan(const Asked& asked, Progress progress) { return plan_probe(asked.probe, progress); }
 
-  static KindReport report(const Asked& asked, ProbePlan& plan, Progress& progress) {
+  static KindReport report(const Asked& asked, ProbePlan& plan, Progress progress) {
     KindReport out;
     out.summary = summary(plan);
     out.verification = verification(plan.verification);

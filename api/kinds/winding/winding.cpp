@@ -51,7 +51,7 @@ struct WindingKind {
 
   static constexpr auto scene_parts = winding_kind::scene_parts;
 
-  static WindingRequest read(const json& spec, Progress&) { return request(spec); }
+  static WindingRequest read(const json& spec, Progress) { return request(spec); }
 
   static ViewFacts view_facts(const WindingRequest& asked) {
     ViewFacts facts;
@@ -62,11 +62,9 @@ struct WindingKind {
     return facts;
   }
 
-  static Scene scene(const WindingRequest& asked, const json& result, Progress&) {
-    return winding_scene(asked, result);
-  }
+  static Scene scene(const WindingRequest& asked, const json& result, Progress) { return winding_scene(asked, result); }
 
-  static WindingPlan plan(const WindingRequest& asked, Progress& progress) {
+  static WindingPlan plan(const WindingRequest& asked, Progress progress) {
     try {
       return plan_winding(asked, progress);
     } catch (const InvalidInput& error) {
@@ -74,7 +72,7 @@ struct WindingKind {
     }
   }
 
-  static KindReport report(const WindingRequest& asked, WindingPlan& plan, Progress& progress) {
+  static KindReport report(const WindingRequest& asked, WindingPlan& plan, Progress progress) {
     KindReport out;
     out.summary = summary(asked, plan);
     out.verification = placed_verification(asked, plan);

@@ -29,7 +29,7 @@ ordered_json support_point(const FixedPiece& piece, const winding::SupportPoint&
 
 }  // namespace
 
-ordered_json support_points(const WindingPlan& plan, Progress& progress) {
+ordered_json support_points(const WindingPlan& plan, Progress progress) {
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < plan.support.size(); ++i) {
     if (i % per_report == 0) progress.report("writing", 1);
@@ -41,7 +41,7 @@ ordered_json support_points(const WindingPlan& plan, Progress& progress) {
   return list;
 }
 
-ordered_json path(const WindingRequest& request, const WindingPlan& plan, Progress& progress) {
+ordered_json path(const WindingRequest& request, const WindingPlan& plan, Progress progress) {
   const NurbsPath nurbs = plan.path.united();
   ordered_json points = ordered_json::array(), weights = ordered_json::array(), joints = ordered_json::array();
   for (std::size_t i = 0; i < nurbs.points.size(); ++i) {
@@ -56,7 +56,7 @@ ordered_json path(const WindingRequest& request, const WindingPlan& plan, Progre
           {"weights", std::move(weights)}, {"knots", nurbs.knots},   {"joints", std::move(joints)}};
 }
 
-ordered_json links(const WindingRequest& request, const WindingPlan& plan, Progress& progress) {
+ordered_json links(const WindingRequest& request, const WindingPlan& plan, Progress progress) {
   const std::size_t k = request.links.continuity;
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < plan.path.links.size(); ++i) {

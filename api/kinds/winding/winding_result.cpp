@@ -233,7 +233,7 @@ ordered_json link_times(const WindingRequest& request, const WindingPlan& plan) 
           {"taken", name_of<LinkChoice>(times.taken, link_choices)}};
 }
 
-ordered_json details(const WindingRequest& request, const WindingPlan& plan, Progress& progress) {
+ordered_json details(const WindingRequest& request, const WindingPlan& plan, Progress progress) {
   return {{"feed", name_of<PlanningMethod>(request.feed, feed_methods)},
           {"law", request.feed == PlanningMethod::jerk_limited ? ordered_json(name_of<FeedLaw>(request.law, feed_laws))
                                                                : ordered_json()},

@@ -14,11 +14,11 @@ std::size_t wires_per_coil(const WindingRequest& request, const WindingPlan& pla
 /// Returns the needle's least clearance; null where there is nothing that it could touch.
 nlohmann::ordered_json clearance(const WindingPlan& plan);
 /// Returns everything but summary, verification, bound and setpoints.
-nlohmann::ordered_json details(const WindingRequest& request, const WindingPlan& plan, Progress& progress);
+nlohmann::ordered_json details(const WindingRequest& request, const WindingPlan& plan, Progress progress);
 /// Return members of `details`.
-nlohmann::ordered_json support_points(const WindingPlan& plan, Progress& progress);
-nlohmann::ordered_json path(const WindingRequest& request, const WindingPlan& plan, Progress& progress);
-nlohmann::ordered_json links(const WindingRequest& request, const WindingPlan& plan, Progress& progress);
+nlohmann::ordered_json support_points(const WindingPlan& plan, Progress progress);
+nlohmann::ordered_json path(const WindingRequest& request, const WindingPlan& plan, Progress progress);
+nlohmann::ordered_json links(const WindingRequest& request, const WindingPlan& plan, Progress progress);
 
 /// Returns the verdict, rotary axes in deg; a failed check also says where on the winding it failed and what to change.
 nlohmann::ordered_json placed_verification(const WindingRequest& request, const WindingPlan& plan);

@@ -28,7 +28,7 @@ struct Violation {
 
 class Search {
  public:
-  Search(const MotionLawProblem& problem, const std::vector<double>& at, Progress& progress,
+  Search(const MotionLawProblem& problem, const std::vector<double>& at, Progress progress,
          const ActiveSetOptions& options)
       : problem_(problem),
         task_(spline_task(problem, at)),
@@ -257,7 +257,7 @@ class Search {
   const MotionLawProblem& problem_;
   SplineTask task_;
   std::size_t fixed_;  // values that are no conversions
-  Progress& progress_;
+  Progress progress_;
   const ActiveSetOptions& options_;
   LawSolution best_;
   double best_objective_ = std::numeric_limits<double>::infinity();
@@ -302,7 +302,7 @@ void check_spline(const MotionLawProblem& problem, const std::vector<double>& at
 }
 
 Expected<LawSolution, NoLaw> solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at,
-                                              Progress& progress, const ActiveSetOptions& options) {
+                                              Progress progress, const ActiveSetOptions& options) {
   return Search(problem, at, progress, options).run();
 }
 

@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "core/base/expected.hpp"
+#include "core/base/progress.hpp"
 #include "core/cam/solution.hpp"
 #include "core/cam/spline/spline_system.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::cam {
 
@@ -40,6 +37,6 @@ enum class NoLaw {
 /// `at`: one angle per point. Throws InvalidInput as check_spline() does, and where section limits do not hold: this
 /// method does not know them.
 Expected<LawSolution, NoLaw> solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at,
-                                              Progress& progress, const ActiveSetOptions& options = {});
+                                              Progress progress, const ActiveSetOptions& options = {});
 
 }  // namespace bahnwerk::cam

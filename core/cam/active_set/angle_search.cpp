@@ -16,7 +16,7 @@ namespace {
 
 class AngleSearch {
  public:
-  AngleSearch(const MotionLawProblem& problem, Progress& progress) : problem_(problem), progress_(progress) {
+  AngleSearch(const MotionLawProblem& problem, Progress progress) : problem_(problem), progress_(progress) {
     for (std::size_t i = 0; i < problem.points.size(); ++i) {
       at_.push_back(problem.points[i].at.min);
       if (!problem.points[i].at.fixed()) free_.push_back(i);
@@ -135,7 +135,7 @@ class AngleSearch {
   }
 
   const MotionLawProblem& problem_;
-  Progress& progress_;
+  Progress progress_;
   std::vector<double> at_;
   std::vector<std::size_t> free_;
   std::size_t laws_ = 0, systems_ = 0;
@@ -146,7 +146,7 @@ class AngleSearch {
 
 }  // namespace
 
-Expected<LawSolution, NoLaw> plan_active_set(const MotionLawProblem& problem, Progress& progress) {
+Expected<LawSolution, NoLaw> plan_active_set(const MotionLawProblem& problem, Progress progress) {
   if (problem.has_free_angles()) return AngleSearch(problem, progress).run();
   std::vector<double> at;
   for (const MotionPoint& point : problem.points) at.push_back(point.at.min);

@@ -26,7 +26,7 @@ constexpr std::size_t most_boxes = 60;         // programs of branch and bound
 
 class Search {
  public:
-  Search(const LawTask& task, Progress& progress) : task_(task), progress_(progress) {}
+  Search(const LawTask& task, Progress progress) : task_(task), progress_(progress) {}
 
   SplineResult at(int degree, int pieces, const std::vector<double>& times, double gap) {
     ++programs;
@@ -39,7 +39,7 @@ class Search {
 
  private:
   const LawTask& task_;
-  Progress& progress_;
+  Progress progress_;
 };
 
 std::vector<double> times_of(const LawTask& task, const SplineResult& spline) {
@@ -125,7 +125,7 @@ const char* assumption(const LawTask& task, double objective) {
 
 }  // namespace
 
-void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress, bool finely) {
+void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress progress, bool finely) {
   const std::string program =
       "over node values of position, velocity and acceleration with moments of the jerk in each cell of a grid";
   if (!task.free_angles()) {
@@ -147,7 +147,7 @@ void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, P
 }
 
 DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
-                           const PublishedObjective& published_objective, Progress& progress) {
+                           const PublishedObjective& published_objective, Progress progress) {
   DegreeChoice choice;
   Search search(task, progress);
   const double fine = SplineOptions{}.gap;

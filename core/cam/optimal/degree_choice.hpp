@@ -25,12 +25,12 @@ using PublishedObjective = std::function<double(const LawBasis& basis, const Spl
 /// Throws InvalidInput where no law exists. With a given degree and fixed angles no number of pieces that divides the
 /// given one has a law whose published J is less by more than 1e-9: the choice has the fewer pieces, else.
 DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
-                           const PublishedObjective& published_objective, Progress& progress);
+                           const PublishedObjective& published_objective, Progress progress);
 
 class KnownLaw;
 /// Raises the bound over all laws, where it can, and sets what it is made of; counts its programs. `finely`: with three
 /// times the cells, for fixed angles.
-void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress, bool finely = false);
+void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress progress, bool finely = false);
 
 /// Returns the smallest degree that method `optimal` takes: one more than any continuity, 3 at least, 21 at most.
 int least_degree(const LawTask& task);

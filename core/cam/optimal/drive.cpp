@@ -58,7 +58,7 @@ bool keeps_limits(const SplineResult& spline) { return spline.feasible && spline
 
 class CycleSearch {
  public:
-  CycleSearch(const MotionLawProblem& problem, ShortestCycle& result, Progress& progress)
+  CycleSearch(const MotionLawProblem& problem, ShortestCycle& result, Progress progress)
       : problem_(problem),
         result_(result),
         progress_(progress),
@@ -235,7 +235,7 @@ class CycleSearch {
 
   const MotionLawProblem& problem_;
   ShortestCycle& result_;
-  Progress& progress_;
+  Progress progress_;
   bool monotone_;
   std::vector<double> times_;
 };
@@ -276,7 +276,7 @@ void check_drive(const MotionLawProblem& problem) {
                                    "master/cycle_duration, or positions that differ"}});
 }
 
-ShortestCycle find_shortest_cycle(const MotionLawProblem& problem, Progress& progress) {
+ShortestCycle find_shortest_cycle(const MotionLawProblem& problem, Progress progress) {
   const LawTask task = task_of(problem, 1);
   const int pieces = problem.degree ? problem.pieces : std::clamp(96 / static_cast<int>(task.sections()), 8, 24);
   ShortestCycle result(LawBasis(task, problem.degree.value_or(least_degree(task)), pieces));

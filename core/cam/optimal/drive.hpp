@@ -29,6 +29,6 @@ void check_drive(const MotionLawProblem& problem);
 
 /// Finds the cycle of a problem that check_drive() has passed. Throws InvalidInput where no law exists at any duration
 /// that was tried.
-ShortestCycle find_shortest_cycle(const MotionLawProblem& problem, Progress& progress);
+ShortestCycle find_shortest_cycle(const MotionLawProblem& problem, Progress progress);
 
 }  // namespace bahnwerk::cam

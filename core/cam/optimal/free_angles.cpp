@@ -15,7 +15,7 @@ constexpr double least_section = 1e-3;  // fraction of the mean section by which
 
 class AngleSearch {
  public:
-  AngleSearch(const LawTask& task, const LawBasis& basis, Progress& progress)
+  AngleSearch(const LawTask& task, const LawBasis& basis, Progress progress)
       : task_(task), basis_(basis), progress_(progress) {}
 
   SplineResult at(const std::vector<double>& times, double gap, const std::vector<LawSample>* samples) {
@@ -91,7 +91,7 @@ class AngleSearch {
 
   const LawTask& task_;
   const LawBasis& basis_;
-  Progress& progress_;
+  Progress progress_;
 };
 
 /// Moves times into their ranges and makes them ascend.
@@ -106,7 +106,7 @@ void order(const LawTask& task, std::vector<double>& times) {
 
 }  // namespace
 
-FreeAngles optimise_angles(const LawTask& task, const LawBasis& basis, std::uint64_t seed, Progress& progress) {
+FreeAngles optimise_angles(const LawTask& task, const LawBasis& basis, std::uint64_t seed, Progress progress) {
   AngleSearch search(task, basis, progress);
   Random random(seed);
   constexpr int starts = 4;
@@ -131,7 +131,7 @@ FreeAngles optimise_angles(const LawTask& task, const LawBasis& basis, std::uint
 }
 
 FreeAngles refine_angles(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
-                         Progress& progress) {
+                         Progress progress) {
   AngleSearch search(task, basis, progress);
   FreeAngles result;
   result.spline = search.descend(times, 1e-6);

@@ -18,9 +18,9 @@ struct FreeAngles {
   int programs = 0;
 };
 /// Descends from several starts, which `seed` determines, and returns the least J.
-FreeAngles optimise_angles(const LawTask& task, const LawBasis& basis, std::uint64_t seed, Progress& progress);
+FreeAngles optimise_angles(const LawTask& task, const LawBasis& basis, std::uint64_t seed, Progress progress);
 /// Descends once, from times that are known to be good, say those of another degree.
 FreeAngles refine_angles(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
-                         Progress& progress);
+                         Progress progress);
 
 }  // namespace bahnwerk::cam

@@ -81,8 +81,8 @@ void check_lengths(const MotionLawProblem& problem, const LawTask& task, int deg
   if (!faults.empty()) throw InvalidInput(std::move(faults));
 }
 
-void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
-                        Progress& progress, bool all_degrees) {
+void explain_infeasible(const LawTask& task, const LawBasis& basis, const std::vector<double>& times, Progress progress,
+                        bool all_degrees) {
   const LawConflict conflict = SplineProgram(task, basis, times).find_conflict(progress);
   const bool higher = basis.degree() < max_degree && !all_degrees, more = basis.pieces() < 16 && !all_degrees;
   const std::string advice = std::string(more ? "take more pieces, " : "") +

@@ -140,7 +140,7 @@ bool has_degree(const CamLaw& law, const LawTask& task, int degree) {
 
 }  // namespace
 
-OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress, const LawSolution* candidate) {
+OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress progress, const LawSolution* candidate) {
   check_classical_sections(given);
   MotionLawProblem problem = with_straight_sections(given);
   problem.objective.zero_crossing_penalty = 0;

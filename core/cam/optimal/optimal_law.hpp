@@ -4,11 +4,9 @@
 /// free_angles.hpp for angles in ranges, law_bound.hpp for the bound over all laws.
 ///
 /// Cost, one core: 5 sections of degree 9 some 5 ms and as much for the bound; 50 points below 0.4 s.
+#include "core/base/progress.hpp"
 #include "core/cam/solution.hpp"
 
-namespace bahnwerk {
-class Progress;
-}
 namespace bahnwerk::cam {
 
 struct OptimalLaw {
@@ -23,7 +21,6 @@ struct OptimalLaw {
 ///
 /// `candidate`: a law of the same problem from another method, none or one that keeps all of it. It is taken where its
 /// J is smaller and it is one of the splines of the chosen degree, so that `optimal` is never worse by rounding.
-OptimalLaw plan_optimal_law(const MotionLawProblem& problem, Progress& progress,
-                            const LawSolution* candidate = nullptr);
+OptimalLaw plan_optimal_law(const MotionLawProblem& problem, Progress progress, const LawSolution* candidate = nullptr);
 
 }  // namespace bahnwerk::cam

@@ -11,7 +11,7 @@ constexpr double inch = 25.4;  // mm
 
 }  // namespace
 
-Interpreter::Interpreter(const GcodeOptions& options, bool flat, Progress& progress)
+Interpreter::Interpreter(const GcodeOptions& options, bool flat, Progress progress)
     : options_(options),
       progress_(progress),
       mover_(flat),

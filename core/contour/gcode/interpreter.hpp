@@ -33,7 +33,7 @@ struct Request {
 
 class Interpreter final : public SystemParameters {
  public:
-  Interpreter(const GcodeOptions& options, bool flat, Progress& progress);
+  Interpreter(const GcodeOptions& options, bool flat, Progress progress);
 
   /// Executes a line. Returns false at the end of the program, or where further reading is useless.
   bool execute(const Line& line);
@@ -144,7 +144,7 @@ class Interpreter final : public SystemParameters {
   void peck_word(const Line& line);
 
   const GcodeOptions options_;
-  Progress& progress_;
+  Progress progress_;
   Compensation mover_;
   Notes notes_;
   Offsets offsets_;

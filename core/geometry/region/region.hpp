@@ -5,11 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/edge_tree.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Number of edges from which it saves time to compute first where parallels are needed, and to intersect them then.
 inline constexpr std::size_t many_edges = 200;
@@ -50,11 +49,11 @@ class Region {
   /// Returns for each parallel a box that contains all of its points at `depth` inside the boundary. The other parts of
   /// parallels of many short edges would cross each other up to n² times. Computes a few distances per parallel and
   /// reports fraction 0 to `progress`, if given.
-  std::vector<Box> reached(const std::vector<Edge>& parallels, double depth, Progress* progress = nullptr) const;
+  std::vector<Box> reached(const std::vector<Edge>& parallels, double depth, Progress progress = {}) const;
   /// Returns the areas of all points at least `depth` inside the boundary: several loops where a neck closes, empty
   /// where nothing remains. Remaining lines and points are left out (see centre_borders). A negative depth widens the
   /// region, around its corners by arcs. O(n²) for n edges.
-  Region inward(double depth, Progress* progress = nullptr) const;
+  Region inward(double depth, Progress progress = {}) const;
   /// Returns the difference of this region and `other`. Boundaries must not coincide along a part. O(n·m).
   Region without(const Region& other) const;
 

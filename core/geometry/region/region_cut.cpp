@@ -46,13 +46,13 @@ bool runs_back(const Edge& edge, Point end, Point along, double& at) {
 }
 
 /// Removes the parts that run back over each other, as where the region is twice the depth wide: they bound no area.
-std::vector<Edge> without_lines(std::vector<Edge> parts, Progress* progress) {
+std::vector<Edge> without_lines(std::vector<Edge> parts, Progress progress) {
   std::vector<std::vector<double>> cuts(parts.size());
   const auto each_pair = [&](auto visit) {
     std::vector<Box> boxes;
     for (const Edge& part : parts) boxes.push_back(extent(part, together));
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (progress && i % 64 == 0) progress->report("parallels", 0);
+      if (i % 64 == 0) progress.report("parallels", 0);
       for (std::size_t k = i + 1; k < parts.size(); ++k)
         if (boxes[i].low.x <= boxes[k].high.x && boxes[k].low.x <= boxes[i].high.x &&
             boxes[i].low.y <= boxes[k].high.y && boxes[k].low.y <= boxes[i].high.y)
@@ -89,11 +89,11 @@ std::vector<Edge> without_lines(std::vector<Edge> parts, Progress* progress) {
 
 /// Removes parts without a predecessor or successor. At a shallow corner the parallels extend past their crossing for
 /// some 1e-6 mm before they are distinguishable from the bounds of the result.
-void drop_tails(std::vector<Edge>& parts, Progress* progress) {
+void drop_tails(std::vector<Edge>& parts, Progress progress) {
   for (bool dropped = true; dropped;) {
     std::vector<char> led_to(parts.size()), leads_on(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (progress && i % 64 == 0) progress->report("parallels", 0);
+      if (i % 64 == 0) progress.report("parallels", 0);
       for (std::size_t k = 0; k < parts.size(); ++k)
         if ((i != k || !parts[i].straight()) && distance(parts[i].to, parts[k].from) < joint)
           leads_on[i] = led_to[k] = 1;
@@ -107,7 +107,7 @@ void drop_tails(std::vector<Edge>& parts, Progress* progress) {
 }
 
 /// Loops of positive area made of parts that lie end to end.
-std::vector<Edge> joined(std::vector<Edge> parts, Progress* progress) {
+std::vector<Edge> joined(std::vector<Edge> parts, Progress progress) {
   drop_tails(parts, progress);
   std::vector<Edge> edges;
   std::vector<char> used(parts.size());
@@ -117,7 +117,7 @@ std::vector<Edge> joined(std::vector<Edge> parts, Progress* progress) {
     used[start] = 1;
     bool closed = false;
     while (!closed) {
-      if (progress && loop.size() % 64 == 0) progress->report("parallels", 0);
+      if (loop.size() % 64 == 0) progress.report("parallels", 0);
       const Point end = loop.back().to;
       closed = distance(end, loop.front().from) < joint && (loop.size() > 1 || !loop.back().straight());
       if (closed) break;
@@ -184,10 +184,10 @@ double Region::first_reached(const Edge& parallel, double depth) const {
   return from;
 }
 
-std::vector<Box> Region::reached(const std::vector<Edge>& parallels, double depth, Progress* progress) const {
+std::vector<Box> Region::reached(const std::vector<Edge>& parallels, double depth, Progress progress) const {
   std::vector<Box> boxes;
   for (const Edge& edge : parallels) {
-    if (progress && boxes.size() % 64 == 0) progress->report("parallels", 0);
+    if (boxes.size() % 64 == 0) progress.report("parallels", 0);
     double first = 0, last = 1;
     if (depth > 0 && edge.straight()) {
       first = first_reached(edge, depth);
@@ -198,7 +198,7 @@ std::vector<Box> Region::reached(const std::vector<Edge>& parallels, double dept
   return boxes;
 }
 
-Region Region::inward(double depth, Progress* progress) const {
+Region Region::inward(double depth, Progress progress) const {
   if (depth == 0 || empty()) return *this;
   const std::vector<Edge> edges = parallels(depth);
   std::vector<std::vector<double>> cuts(edges.size());
@@ -210,7 +210,7 @@ Region Region::inward(double depth, Progress* progress) const {
   std::vector<Edge> parts = split(edges, cuts);
   std::size_t seen = 0;
   std::erase_if(parts, [&](const Edge& part) {
-    if (progress && ++seen % 512 == 0) progress->report("parallels", 0);
+    if (++seen % 512 == 0) progress.report("parallels", 0);
     return std::abs(distance(part.at(0.5)) - depth) > 1e-9;
   });
   return Region(joined(without_lines(std::move(parts), progress), progress));
@@ -228,7 +228,7 @@ Region Region::without(const Region& other) const {
   std::erase_if(parts, [&](const Edge& part) { return other.distance(part.at(0.5)) > 0; });
   for (const Edge& part : split(other.edges_, theirs))
     if (distance(part.at(0.5)) > 0) parts.push_back(part.reversed());
-  return Region(joined(std::move(parts), nullptr));
+  return Region(joined(std::move(parts), {}));
 }
 
 }  // namespace bahnwerk

@@ -24,18 +24,17 @@ constexpr double first_growth = 3;                // assumed ratio of cells afte
 template <int N>
 class SectionPlanner {
  public:
-  SectionPlanner(const LanePath<N>& path, const CellBudget& budget, WindowSolver<N>& window, Progress& progress)
+  SectionPlanner(const LanePath<N>& path, const CellBudget& budget, WindowSolver<N>& window)
       : path_(path),
         budget_(budget),
         window_(window),
         window_cells_(static_cast<double>(budget.options.window)),
-        progress_(progress),
         one_window_(budget.cells() <= window_cells_) {}
 
-  /// Plans the section over the segments [first, last); `from` … `to` is its share of progress.
-  void plan(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
-    if (!one_window_ && reach(first, last, window_cells_) < last) return plan_long(first, last, from, to, result);
-    ProgressScope stage_progress(progress_, "planning", from, to);
+  /// Plans the section over the segments [first, last).
+  void plan(std::size_t first, std::size_t last, Progress progress, AccelerationLimitedResult& result) {
+    if (!one_window_ && reach(first, last, window_cells_) < last) return plan_long(first, last, progress, result);
+    ProgressScope stage_progress(progress, "planning");
     solve(first, last, 0, stage_progress, result);
     write(window_.cells(), slowing(window_.excess(window_.cells())), result, stage_progress);
   }
@@ -51,7 +50,7 @@ class SectionPlanner {
   /// Plans window by window, each to a stop at its end. The part before the last segment border is used that this stop
   /// does not influence and where the speed is determined by earlier cells, or does not change; the next window begins
   /// there. If there is no such border, or the next window cannot continue from it, windows grow.
-  void plan_long(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
+  void plan_long(std::size_t first, std::size_t last, Progress progress, AccelerationLimitedResult& result) {
     struct Place {
       std::size_t segment, pieces, cells;
       double entry, most;
@@ -62,11 +61,11 @@ class SectionPlanner {
     double window = window_cells_, grown = first_growth;
     const auto fraction = [&](std::size_t segment) {
       const double begin = path_[first].s0(), end = path_[last - 1].s1();
-      return from + (to - from) * ((segment < last ? path_[segment].s0() : end) - begin) / (end - begin);
+      return ((segment < last ? path_[segment].s0() : end) - begin) / (end - begin);
     };
     while (at.segment < last) {
       const std::size_t end = reach(at.segment, last, window / grown);
-      ProgressScope stage_progress(progress_, "planning", fraction(at.segment), fraction(end));
+      ProgressScope stage_progress(progress.part(fraction(at.segment), fraction(end)), "planning");
       solve(at.segment, end, at.entry, stage_progress, result);
       const std::size_t keep = end == last ? window_.cells() : window_.border();
       if (!window_.enters() || keep == 0) {
@@ -115,25 +114,23 @@ class SectionPlanner {
   const CellBudget& budget_;
   WindowSolver<N>& window_;
   double window_cells_;
-  Progress& progress_;
   bool one_window_;  // one window suffices for any section
 };
 
 template <int N>
-AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOptions& options, Progress& progress,
-                               double from, double to) {
+AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOptions& options, Progress progress) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
-  ProgressScope stage_progress(progress, "planning", from, from);
+  ProgressScope stage_progress(progress.part(0, 0), "planning");
   const CellBudget budget = cell_budget(path, lanes, task.feeds, options, stage_progress);
   const Sections sections = find_sections(task, options.corner_angle, stage_progress);
   AccelerationLimitedResult result;
   WindowSolver<N> window(path, lanes, budget.options, task.feeds, sections, budget.cells());
-  SectionPlanner<N> planner(path, budget, window, progress);
+  SectionPlanner<N> planner(path, budget, window);
   for_each_section_once(
-      task, sections, progress, from, to, result,
-      [&](std::size_t first, std::size_t last, double begin, double end) {
-        planner.plan(first, last, begin, end, result);
+      task, sections, progress, result,
+      [&](std::size_t first, std::size_t last, Progress part) {
+        planner.plan(first, last, part, result);
         return 0.0;
       },
       [&](auto&&... what) { repeat_law(result.law, what...); });
@@ -143,19 +140,18 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
 }  // namespace
 
 AccelerationLimitedResult plan_acceleration_limited(const PathTask& task, const AccelerationLimitedOptions& options,
-                                                    Progress& progress, double from, double to) {
+                                                    Progress progress) {
   for (const AxisLimits& axis : task.machine.axes)
     if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration))
       throw InvalidInput(
           {{{"machine", "axes", axis.name}, "velocity and acceleration must be positive, acceleration finite"}});
-  return with_lanes(task.path.axes(), [&](auto n) { return plan<n()>(task, options, progress, from, to); });
+  return with_lanes(task.path.axes(), [&](auto n) { return plan<n()>(task, options, progress); });
 }
 
 AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,
-                                                    const AccelerationLimitedOptions& options, Progress& progress,
-                                                    double from, double to) {
+                                                    const AccelerationLimitedOptions& options, Progress progress) {
   const CartesianAxisPath path(contour.path, machine.dimension());
-  return plan_acceleration_limited(contour_task(path, contour, machine), options, progress, from, to);
+  return plan_acceleration_limited(contour_task(path, contour, machine), options, progress);
 }
 
 }  // namespace bahnwerk

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
@@ -23,8 +24,6 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The options of plan_acceleration_limited().
 struct AccelerationLimitedOptions {
@@ -50,13 +49,12 @@ struct AccelerationLimitedResult {
   std::size_t window = 0;  ///< largest number of cells planned at once
 };
 
-/// Progress runs from `from` to `to`. Throws InvalidInput for limits that are not positive and for paths that turn by
-/// more than 160 000 rad, Stopped when `progress` says so, UnreachablePose.
+/// Throws InvalidInput for limits that are not positive and for paths that turn by more than 160 000 rad, Stopped when
+/// `progress` says so, UnreachablePose.
 AccelerationLimitedResult plan_acceleration_limited(const PathTask& task, const AccelerationLimitedOptions& options,
-                                                    Progress& progress, double from = 0, double to = 1);
+                                                    Progress progress);
 /// Plans a contour on a Cartesian machine.
 AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,
-                                                    const AccelerationLimitedOptions& options, Progress& progress,
-                                                    double from = 0, double to = 1);
+                                                    const AccelerationLimitedOptions& options, Progress progress);
 
 }  // namespace bahnwerk

@@ -129,9 +129,8 @@ TimeLaw constant_feed(const FeedGrid& grid, const FeedOptions& options) {
   return law;
 }
 
-TimeLaw plan_constant_feed(const PathTask& task, const FeedOptions& options, Progress& progress, double from,
-                           double to) {
-  ProgressScope stage_progress(progress, "constant feed", from, to);
+TimeLaw plan_constant_feed(const PathTask& task, const FeedOptions& options, Progress progress) {
+  ProgressScope stage_progress(progress, "constant feed");
   stage_progress.report();
   const FeedGrid grid(
       task, {options.nodes, speed_profile_row(options.profile).limits_jerk, options.corner_angle, options.path},

@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/motion/feed/feed_change.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The options of feeds that are constant in parts.
 struct FeedOptions {
@@ -50,8 +49,7 @@ FeedHold largest_feed(const FeedGrid& grid, SpeedProfile profile, double begin, 
 /// the least of FeedGrid::hold(), ends of the path included, if its changes fit. Throws FeedTooFast, Infeasible for a
 /// path that only rest can pass, InvalidInput where neither acceleration nor jerk is limited, Stopped. Cost: that of
 /// the grid, about 0.1 ms per segment.
-TimeLaw plan_constant_feed(const PathTask& task, const FeedOptions& options, Progress& progress, double from,
-                           double to);
+TimeLaw plan_constant_feed(const PathTask& task, const FeedOptions& options, Progress progress);
 /// Plans the feed on an existing grid.
 TimeLaw constant_feed(const FeedGrid& grid, const FeedOptions& options);
 

@@ -190,9 +190,8 @@ TimeLaw quickest(const FeedGrid& grid, SpeedProfile profile, std::size_t first, 
 
 }  // namespace
 
-TimeLaw plan_critical_points(const PathTask& task, const FeedOptions& options, Progress& progress, double from,
-                             double to) {
-  ProgressScope stage_progress(progress, "critical points", from, to);
+TimeLaw plan_critical_points(const PathTask& task, const FeedOptions& options, Progress progress) {
+  ProgressScope stage_progress(progress, "critical points");
   stage_progress.part(0, 0.4);
   const FeedGrid grid(
       task, {options.nodes, speed_profile_row(options.profile).limits_jerk, options.corner_angle, options.path},

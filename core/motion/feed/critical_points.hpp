@@ -24,7 +24,6 @@ namespace bahnwerk {
 /// Plans with rest at both ends of the path, at the task's rests and at corners. The result is never slower than
 /// plan_constant_feed() under equal limits, and it throws what that throws. Cost: about 1.2 ms per segment through a
 /// machine's kinematics.
-TimeLaw plan_critical_points(const PathTask& task, const FeedOptions& options, Progress& progress, double from,
-                             double to);
+TimeLaw plan_critical_points(const PathTask& task, const FeedOptions& options, Progress progress);
 
 }  // namespace bahnwerk

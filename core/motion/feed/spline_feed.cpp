@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/motion/feed/speed_spline.hpp"
 #include "core/motion/law/law_between.hpp"
@@ -35,7 +35,7 @@ std::vector<double> breaks(const Path& tool, std::size_t spans) {
 
 class SplinePlanner {
  public:
-  SplinePlanner(const PathTask& task, const SplineFeedOptions& options, Progress& progress)
+  SplinePlanner(const PathTask& task, const SplineFeedOptions& options, Progress progress)
       : task_(task),
         options_(options),
         progress_(progress),
@@ -44,7 +44,7 @@ class SplinePlanner {
         control_(spline_.points(), 0.0) {}
 
   SplineFeed run() {
-    ProgressScope stage_progress(progress_, "spline feed", 0, 1);
+    ProgressScope stage_progress(progress_, "spline feed");
     sample(stage_progress);
     start();
     const std::size_t first = SpeedSpline::fixed, last = control_.size() - SpeedSpline::fixed;
@@ -54,7 +54,7 @@ class SplinePlanner {
         const auto share = [&](std::size_t n) {
           return static_cast<double>(n) / static_cast<double>(options_.passes * windows);
         };
-        ProgressPart part(progress_, "spline feed", share(done), share(done + 1));
+        const Progress part = progress_.part(share(done), share(done + 1)).named("spline feed");
         improve(begin, std::min(begin + options_.window, last), part);
       }
     write();
@@ -112,7 +112,7 @@ class SplinePlanner {
   std::size_t rows_per_node() const { return 1 + 2 * (task_.path.axes() + 1); }
 
   /// Optimises the control points [begin, end) with constant others.
-  void improve(std::size_t begin, std::size_t end, Progress& progress) {
+  void improve(std::size_t begin, std::size_t end, Progress progress) {
     const std::size_t spans = spline_.spans(), from = (begin - SpeedSpline::fixed) * per_span,
                       to = std::min(end, spans) * per_span;
     const std::size_t dimension = end - begin;
@@ -249,7 +249,7 @@ class SplinePlanner {
 
   const PathTask& task_;
   const SplineFeedOptions& options_;
-  Progress& progress_;
+  Progress progress_;
   SpeedSpline spline_;
   std::vector<double> control_;
   std::vector<Node> nodes_;
@@ -258,11 +258,10 @@ class SplinePlanner {
 
 }  // namespace
 
-SplineFeed plan_spline_feed(const PathTask& task, const SplineFeedOptions& options, Progress& progress, double from,
-                            double to) {
+SplineFeed plan_spline_feed(const PathTask& task, const SplineFeedOptions& options, Progress progress) {
   for (std::size_t i = 1; i + 1 < task.rests.size(); ++i)
     if (task.rests[i]) throw InvalidInput({{{"feed", "law"}, "bspline knows no rest within the path"}});
-  ProgressPart part(progress, "spline feed", from, to);
+  const Progress part = progress.named("spline feed");
   return SplinePlanner(task, options, part).run();
 }
 

@@ -8,12 +8,11 @@
 /// norm in space (4.80). The method gives no bound; plan_jerk_limited() is the planner to use.
 #include <cstddef>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The options of plan_spline_feed().
 struct SplineFeedOptions {
@@ -34,7 +33,6 @@ struct SplineFeed {
 
 /// Plans a law that rests at both ends of the path and nowhere else. Throws InvalidInput for a task with rests between,
 /// and Stopped. Cost: seconds per turn of a winding.
-SplineFeed plan_spline_feed(const PathTask& task, const SplineFeedOptions& options, Progress& progress, double from,
-                            double to);
+SplineFeed plan_spline_feed(const PathTask& task, const SplineFeedOptions& options, Progress progress);
 
 }  // namespace bahnwerk

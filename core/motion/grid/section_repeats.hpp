@@ -34,13 +34,13 @@ class SectionRepeats {
 };
 
 /// Plans section by section as for_each_section() does, but each distinct section once. plan(first segment, one past
-/// the last, begin and end of its share of the progress) appends to `result` and returns its work; `repeat` receives
+/// the last, its part of the progress) appends to `result` and returns its work; `repeat` receives
 /// the arguments of repeat_law() (core/motion/law/repeated_law.hpp) for a section that repeats an earlier one, which
 /// counts with as many cells and as much work. Returns the sum of the work.
 template <class Result, class Plan, class Repeat>
-double for_each_section_once(const PathTask& task, const Sections& sections, Progress& progress, double from, double to,
-                             Result& result, Plan&& plan, Repeat&& repeat) {
-  ProgressScope stage_progress(progress, "planning", from, to);
+double for_each_section_once(const PathTask& task, const Sections& sections, Progress progress, Result& result,
+                             Plan&& plan, Repeat&& repeat) {
+  ProgressScope stage_progress(progress, "planning");
   SectionRepeats repeats(task, sections, stage_progress);
   struct Before {  // sums before a section, and at the end
     std::size_t pieces, cells;
@@ -48,21 +48,20 @@ double for_each_section_once(const PathTask& task, const Sections& sections, Pro
   };
   std::vector<Before> before;
   double work = 0;
-  for_each_section(
-      task.path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
-        stage_progress.done(to > from ? (begin - from) / (to - from) : 1);
-        const std::size_t i = before.size();
-        before.push_back({result.law.pieces().size(), result.cells, work});
-        const std::size_t source = last == first + 1 && task.path.linear(first) ? i : repeats.source(i);
-        if (source == i) {
-          work += plan(first, last, begin, end);
-        } else {
-          const Before &a = before[source], &b = before[source + 1];
-          repeat(a.pieces, b.pieces, task.path.tool(), sections.begin[source], first, last - first, stage_progress);
-          result.cells += b.cells - a.cells;
-          work += b.work - a.work;
-        }
-      });
+  for_each_section(task.path.tool(), sections, progress, [&](std::size_t first, std::size_t last, Progress part) {
+    stage_progress.done(task.path.tool()[first].s0() / task.path.tool().length());
+    const std::size_t i = before.size();
+    before.push_back({result.law.pieces().size(), result.cells, work});
+    const std::size_t source = last == first + 1 && task.path.linear(first) ? i : repeats.source(i);
+    if (source == i) {
+      work += plan(first, last, part);
+    } else {
+      const Before &a = before[source], &b = before[source + 1];
+      repeat(a.pieces, b.pieces, task.path.tool(), sections.begin[source], first, last - first, stage_progress);
+      result.cells += b.cells - a.cells;
+      work += b.work - a.work;
+    }
+  });
   return work;
 }
 

@@ -2,6 +2,7 @@
 /// Divides a contour into sections from rest to rest, and limits the speed at small tangent jumps.
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/path_task.hpp"
 
 namespace bahnwerk {
@@ -19,15 +20,15 @@ struct Sections {
 /// O(segments); reports to `progress`.
 Sections find_sections(const PathTask& task, double corner_angle, ProgressScope& progress);
 
-/// Plans section by section: plan(first segment, one past the last, begin and end of its share of the progress from
-/// `from` to `to`, by path length).
+/// Plans section by section: plan(first segment, one past the last, its part of the progress, by path length).
 template <class Plan>
-void for_each_section(const Path& path, const Sections& sections, double from, double to, Plan&& plan) {
+void for_each_section(const Path& path, const Sections& sections, Progress progress, Plan&& plan) {
   const auto fraction = [&](std::size_t segment) {
-    return from + (to - from) * (segment < path.size() ? path[segment].s0() / path.length() : 1);
+    return segment < path.size() ? path[segment].s0() / path.length() : 1.0;
   };
   for (std::size_t i = 0; i + 1 < sections.begin.size(); ++i)
-    plan(sections.begin[i], sections.begin[i + 1], fraction(sections.begin[i]), fraction(sections.begin[i + 1]));
+    plan(sections.begin[i], sections.begin[i + 1],
+         progress.part(fraction(sections.begin[i]), fraction(sections.begin[i + 1])));
 }
 
 }  // namespace bahnwerk

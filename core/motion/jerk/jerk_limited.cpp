@@ -13,19 +13,18 @@ namespace bahnwerk {
 namespace {
 
 template <int N, int M>
-JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, Progress& progress, double from,
-                       double to) {
+JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, Progress progress) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
-  ProgressScope stage_progress(progress, "planning", from, from);
+  ProgressScope stage_progress(progress.part(0, 0), "planning");
   const Sections sections = find_sections(task, options.corner_angle, stage_progress);
   JerkLimitedResult result;
-  JerkSectionPlanner<N, M> planner(path, lanes, options, task.feeds, sections, progress);
+  JerkSectionPlanner<N, M> planner(path, lanes, options, task.feeds, sections);
   const double work = for_each_section_once(
-      task, sections, progress, from, to, result,
-      [&](std::size_t first, std::size_t last, double begin, double end) {
+      task, sections, progress, result,
+      [&](std::size_t first, std::size_t last, Progress part) {
         const double before = planner.work();
-        planner.plan(first, last, begin, end, result);
+        planner.plan(first, last, part, result);
         return planner.work() - before;
       },
       [&](auto&&... what) { repeat_law(result.law, what...); });
@@ -36,8 +35,7 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
 
 }  // namespace
 
-JerkLimitedResult plan_jerk_limited(const PathTask& task, const JerkLimitedOptions& options, Progress& progress,
-                                    double from, double to) {
+JerkLimitedResult plan_jerk_limited(const PathTask& task, const JerkLimitedOptions& options, Progress progress) {
   std::vector<InputFault> faults;
   for (const AxisLimits& axis : task.machine.axes)
     if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration) || !(axis.jerk > 0))
@@ -50,14 +48,14 @@ JerkLimitedResult plan_jerk_limited(const PathTask& task, const JerkLimitedOptio
   const bool path = std::isfinite(options.path.acceleration) || std::isfinite(options.path.jerk);
   return with_lanes(task.path.axes(), [&](auto n) {
     constexpr int N = n();
-    return path ? plan<N, N + 1>(task, options, progress, from, to) : plan<N, N>(task, options, progress, from, to);
+    return path ? plan<N, N + 1>(task, options, progress) : plan<N, N>(task, options, progress);
   });
 }
 
 JerkLimitedResult plan_jerk_limited(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
-                                    Progress& progress, double from, double to) {
+                                    Progress progress) {
   const CartesianAxisPath path(contour.path, machine.dimension());
-  return plan_jerk_limited(contour_task(path, contour, machine), options, progress, from, to);
+  return plan_jerk_limited(contour_task(path, contour, machine), options, progress);
 }
 
 }  // namespace bahnwerk

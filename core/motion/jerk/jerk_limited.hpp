@@ -15,6 +15,7 @@
 /// shorter and the start is slower (docs/methods/motion.md): 400 cells per turn of a coil, 40 to 80 Newton steps.
 #include <cstddef>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
@@ -22,8 +23,6 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The options of plan_jerk_limited().
 struct JerkLimitedOptions {
@@ -47,12 +46,10 @@ struct JerkLimitedResult {
   std::size_t cells = 0;       ///< cells of the final grids
 };
 
-/// Progress runs from `from` to `to`. Throws InvalidInput for limits that are not positive, Stopped when `progress`
-/// says so, UnreachablePose.
-JerkLimitedResult plan_jerk_limited(const PathTask& task, const JerkLimitedOptions& options, Progress& progress,
-                                    double from = 0, double to = 1);
+/// Throws InvalidInput for limits that are not positive, Stopped when `progress` says so, UnreachablePose.
+JerkLimitedResult plan_jerk_limited(const PathTask& task, const JerkLimitedOptions& options, Progress progress);
 /// Plans a contour on a Cartesian machine.
 JerkLimitedResult plan_jerk_limited(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
-                                    Progress& progress, double from = 0, double to = 1);
+                                    Progress progress);
 
 }  // namespace bahnwerk

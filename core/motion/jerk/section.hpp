@@ -31,8 +31,8 @@ template <int N, int M>
 class JerkSectionPlanner {
  public:
   JerkSectionPlanner(const LanePath<N>& path, const Machine& machine, const JerkLimitedOptions& options,
-                     const std::vector<double>& feed, const Sections& sections, Progress& progress)
-      : path_(path), machine_(machine), options_(options), feed_(feed), sections_(sections), progress_(progress) {
+                     const std::vector<double>& feed, const Sections& sections)
+      : path_(path), machine_(machine), options_(options), feed_(feed), sections_(sections) {
     for (std::size_t k = 0; k < M; ++k) {
       const bool axis = k < N;
       const double V = axis ? machine.axes[k].velocity : options.path.velocity;
@@ -43,7 +43,7 @@ class JerkSectionPlanner {
     set_jerk_times();
   }
 
-  void plan(std::size_t first, std::size_t last, double from, double to, JerkLimitedResult& result);
+  void plan(std::size_t first, std::size_t last, Progress progress, JerkLimitedResult& result);
   /// Returns Newton steps times cells, summed over all sections.
   double work() const { return work_; }
 
@@ -102,9 +102,9 @@ class JerkSectionPlanner {
   /// Lowers the ceilings of the cells that exceed a limit.
   void lower_ceilings();
 
-  /// Plans the section in windows; progress runs from `from` to `to`. Returns false if some window failed; the current
+  /// Plans the section in windows. Returns false if some window failed; the current
   /// grid is then the section's.
-  bool plan_windows(std::size_t window, double from, double to);
+  bool plan_windows(std::size_t window, Progress progress);
 
   /// Makes about `cells` cells of the section from `begin` on the current grid, to be passed from `entry_` to rest;
   /// more, if the rest would slow most of them. Returns their number.
@@ -261,7 +261,6 @@ class JerkSectionPlanner {
   const JerkLimitedOptions& options_;
   const std::vector<double>& feed_;
   const Sections& sections_;
-  Progress& progress_;
   RowLimits<M> limit_, soft_;
   /// Time in which jerk brings an axis to its full acceleration, s: the shortest one, and the shortest among axes whose
   /// time is not negligible. An axis with a thousand times the jerk of another one must not determine the whole grid.

@@ -36,7 +36,7 @@ constexpr std::size_t clear_cells = 4, farthest_cut = 64;
 }  // namespace
 
 template <int N, int M>
-bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, double to) {
+bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, Progress progress) {
   struct Place {  // beginning of a window, with the state there
     std::size_t begin, cells, pieces;
     double slow;
@@ -46,21 +46,20 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
   std::swap(grid_, section_grid_);
   std::swap(rough_, section_rough_);
   const std::size_t n = section_grid_.cells.size();
-  double reported = from;
+  double reported = 0;
   pieces_.clear();
   overlap_ = 1;
   std::vector<Place> places{{0, window, 0, 1, {}, {}}};
   for (std::size_t failures = 0; places.back().begin < n;) {
     Place& here = places.back();
     std::size_t end = 0;
-    double progress = reported;
+    double reaches = reported;
     entry_ = here.entry;
     tail_ = here.tail;
     for (const Start& start : starts()) {
       here.cells = take_window(here.begin, here.cells);
-      progress =
-          std::max(reported, from + (to - from) * static_cast<double>(here.begin + keep_) / static_cast<double>(n));
-      ProgressScope stage_progress(progress_, "planning", reported, progress);
+      reaches = std::max(reported, static_cast<double>(here.begin + keep_) / static_cast<double>(n));
+      ProgressScope stage_progress(progress.part(reported, reaches), "planning");
       stage_progress.part(0, 0.1);
       pieces_.resize(here.pieces);
       if (const std::size_t least = here.pieces + 2 * here.cells; least > pieces_.capacity())
@@ -82,7 +81,7 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
       continue;
     }
     if (!(slow_ < good_enough)) break;
-    reported = progress;
+    reported = reaches;
     places.push_back({end, window, pieces_.size(), std::max(here.slow, slow_), exit_, next_tail_});
   }
   std::swap(grid_, section_grid_);

@@ -233,8 +233,8 @@ class NaturalPlanner {
 
 }  // namespace
 
-TimeLaw plan_natural(const PathTask& task, const NaturalOptions& options, Progress& progress, double from, double to) {
-  ProgressScope stage_progress(progress, "natural feed", from, to);
+TimeLaw plan_natural(const PathTask& task, const NaturalOptions& options, Progress progress) {
+  ProgressScope stage_progress(progress, "natural feed");
   stage_progress.report();
   TimeLaw law = NaturalPlanner(task, options).run(stage_progress);
   stage_progress.done(1);

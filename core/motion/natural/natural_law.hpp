@@ -11,12 +11,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The options of plan_natural().
 struct NaturalOptions {
@@ -31,6 +30,6 @@ struct NaturalOptions {
 /// whole path, between samples, too (core/motion/law/law_excess.hpp). O(segments · steps). Throws Infeasible where the
 /// pieces between two links are so short that no cubic connects their speeds; std::invalid_argument for inconsistent
 /// shares.
-TimeLaw plan_natural(const PathTask& task, const NaturalOptions& options, Progress& progress, double from, double to);
+TimeLaw plan_natural(const PathTask& task, const NaturalOptions& options, Progress progress);
 
 }  // namespace bahnwerk

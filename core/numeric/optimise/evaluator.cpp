@@ -22,7 +22,7 @@ std::vector<double> or_else(const std::vector<double>& given, std::size_t n, dou
 }  // namespace
 
 OptimisationEvaluator::OptimisationEvaluator(const OptimisationProblem& problem, const OptimisationOptions& options,
-                                             Progress& progress)
+                                             Progress progress)
     : problem_(problem),
       options_(options),
       progress_(progress),

@@ -24,7 +24,7 @@ struct OptimisationPoint {
 /// Evaluates a problem in scaled variables.
 class OptimisationEvaluator {
  public:
-  OptimisationEvaluator(const OptimisationProblem& problem, const OptimisationOptions& options, Progress& progress);
+  OptimisationEvaluator(const OptimisationProblem& problem, const OptimisationOptions& options, Progress progress);
 
   const OptimisationProblem& problem() const { return problem_; }
   std::vector<double> scaled(std::span<const double> x) const;
@@ -52,7 +52,7 @@ class OptimisationEvaluator {
 
   const OptimisationProblem& problem_;
   const OptimisationOptions& options_;
-  Progress& progress_;
+  Progress progress_;
   std::vector<double> scale_, row_scale_, lower_, upper_;
   OptimisationPoint point_, best_;
   double worst_ = 0, min_ = 0, worst_violation_ = 0;

@@ -61,7 +61,7 @@ void check(const OptimisationProblem& p, std::span<const double> start, const Op
 /// The state of a call of minimise().
 class Solve {
  public:
-  Solve(const OptimisationProblem& problem, const OptimisationOptions& options, Progress& progress)
+  Solve(const OptimisationProblem& problem, const OptimisationOptions& options, Progress progress)
       : options_(options), progress_(progress), evaluator_(problem, options, progress), random_(options.seed) {}
 
   OptimisationResult run(std::span<const double> start, bool allow_elastic) {
@@ -171,7 +171,7 @@ class Solve {
   }
 
   const OptimisationOptions& options_;
-  Progress& progress_;
+  Progress progress_;
   OptimisationEvaluator evaluator_;
   Random random_;
   OptimisationResult confirmed_;
@@ -180,7 +180,7 @@ class Solve {
 }  // namespace
 
 OptimisationResult minimise(const OptimisationProblem& problem, std::span<const double> start,
-                            const OptimisationOptions& options, Progress& progress) {
+                            const OptimisationOptions& options, Progress progress) {
   check(problem, start, options);
   OptimisationResult contradiction{OptimisationStatus::infeasible, {start.begin(), start.end()}, nan, 0, nan, 0};
   for (std::size_t j = 0; j < problem.dimension && !problem.lower.empty() && !problem.upper.empty(); ++j) {

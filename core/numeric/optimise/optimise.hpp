@@ -12,9 +12,9 @@
 #include <span>
 #include <vector>
 
-namespace bahnwerk {
+#include "core/base/progress.hpp"
 
-class Progress;
+namespace bahnwerk {
 
 /// Rows c(x) ≤ 0, or c(x) = 0.
 struct Constraints {
@@ -98,6 +98,6 @@ struct OptimisationResult {
 /// scales that are not positive, a start or bounds that are NaN, and for a method that does not apply to the problem
 /// (mma with equalities, direct_l with constraints, isres and direct_l without finite bounds).
 OptimisationResult minimise(const OptimisationProblem& problem, std::span<const double> start,
-                            const OptimisationOptions& options, Progress& progress);
+                            const OptimisationOptions& options, Progress progress);
 
 }  // namespace bahnwerk

@@ -53,11 +53,11 @@ std::vector<Panel> panels(const CoarseFineAxis& axis, const Curves& c, bool last
 
 }  // namespace
 
-std::string axis_drawing(const CoarseFinePlan& plan, const CoarseFineMachine& machine, Progress& progress) {
+std::string axis_drawing(const CoarseFinePlan& plan, const CoarseFineMachine& machine, Progress progress) {
   const Motion &head = *plan.head, &coarse = *plan.coarse;
   const std::size_t moving = std::min(machine.axes.size(), plan.contour.path->dimension);
   std::vector<Curves> curves(moving, Curves(head.duration()));
-  ProgressScope scope(progress, "drawing", 1, 1);
+  ProgressScope scope(progress.part(1, 1), "drawing");
   std::size_t piece = 0;
   for (std::size_t c = 0; c < coarse.pieces(); ++c) {
     scope.work(8);

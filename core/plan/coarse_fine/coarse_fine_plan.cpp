@@ -66,7 +66,7 @@ std::vector<SectionGap> slowest(std::vector<SectionGap> sections) {
 class CoarseFineProblem final : public MotionProblem {
  public:
   CoarseFineProblem(Contour input, const CoarseFineMachine& machine, const ContourPlanning& planning,
-                    const RedundancyOptions& options, Progress& progress)
+                    const RedundancyOptions& options, Progress progress)
       : machine_(machine),
         planning_(planning),
         options_(options),
@@ -90,7 +90,7 @@ class CoarseFineProblem final : public MotionProblem {
     task.machine.axes.resize(moving_);
     RedundancyOptions options = options_;
     options.corner_angle = planning_.corner_angle;
-    choice_.emplace(std::move(task), options, progress_, bounded(), planned);
+    choice_.emplace(std::move(task), options, progress_.part(bounded(), planned));
     if (!take_next()) choice_->refuse();
   }
 
@@ -117,13 +117,11 @@ class CoarseFineProblem final : public MotionProblem {
     VerifierInput head{*driven_.path.path, head_, plan_.head->law(), driven_.path.feeds_to_verify, driven_.path.rests};
     head.corner_angle = planning_.corner_angle;
     head.check_jerk = machine_.limits_jerk();
-    head.progress_from = planned, head.progress_to = between;
-    Verification verdict = verify_motion(head, progress_);
+    Verification verdict = verify_motion(head, progress_.part(planned, between));
     CoarseFineToVerify split{*driven_.path.path, plan_.head->law(), *plan_.coarse, coarse_axes_, fine_axes_};
     split.check_jerk = machine_.limits_jerk();
     split.cycle_time = machine_.cycle_time;
-    split.progress_from = between, split.progress_to = verified;
-    verdict.add(coarse_fine_checks(split, progress_));
+    verdict.add(coarse_fine_checks(split, progress_.part(between, verified)));
     std::vector<bool> centred;
     for (const CoarseFineAxis& axis : machine_.axes) centred.push_back(axis.centred);
     verdict.add(centre_checks(*plan_.head, *plan_.coarse, fine_axes_, centred));
@@ -159,9 +157,10 @@ class CoarseFineProblem final : public MotionProblem {
 
   std::vector<Check> more_checks() override {
     std::vector<Check> list;
-    if (!given_->rests.empty()) list.push_back(rest_check(*given_, *driven_.contour, plan_.head->law(), progress_, 1));
+    if (!given_->rests.empty())
+      list.push_back(rest_check(*given_, *driven_.contour, plan_.head->law(), progress_.part(1, 1)));
     if (blended())
-      for (Check& check : tube_checks(*given_, *driven_.contour, planning_.blend_tolerance, progress_, 1, 1))
+      for (Check& check : tube_checks(*given_, *driven_.contour, planning_.blend_tolerance, progress_.part(1, 1)))
         list.push_back(std::move(check));
     return list;
   }
@@ -187,16 +186,17 @@ class CoarseFineProblem final : public MotionProblem {
     plan.iterations = result_.iterations;
     plan.pieces = sampled.pieces().size();
     report_blocks(*driven_.contour, sampled, cycles_factor_, plan);
-    report_joints(*driven_.contour, moving_, sampled, cycles_factor_, planning_.corner_angle, plan, progress_, 1);
-    plan.slow_lines = slow_lines(*plan_.head, head_, driven_.path.feeds, {}, slow_lines_listed, progress_, 1);
+    report_joints(*driven_.contour, moving_, sampled, cycles_factor_, planning_.corner_angle, plan,
+                  progress_.part(1, 1));
+    plan.slow_lines = slow_lines(*plan_.head, head_, driven_.path.feeds, {}, slow_lines_listed, progress_.part(1, 1));
     std::vector<SectionGap> sections;
     plan.sections =
-        section_gaps(*driven_.path.path, sampled, cycles_factor_, driven_.sections, progress_, 1, &sections);
+        section_gaps(*driven_.path.path, sampled, cycles_factor_, driven_.sections, progress_.part(1, 1), &sections);
     plan_.slow_sections = slowest(std::move(sections));
     plan_.fastest = result_.fastest;
     plan_.energy = acceleration_energy(*plan_.coarse);
     for (double& energy : plan_.energy) energy *= std::pow(cycles_factor_, 3);
-    ProgressScope scope(progress_, "report", 1, 1);
+    ProgressScope scope(progress_.part(1, 1), "report");
     plan_.rms = rms_accelerations(*plan_.head, *plan_.coarse, scope);
     for (const AxisLimits& axis : coarse_axes_)
       plan_.peak_coarse_acceleration.push_back(value(quantity::axis, 2, axis.name));
@@ -234,21 +234,22 @@ class CoarseFineProblem final : public MotionProblem {
     ContourPlanning planning = planning_;
     planning.method = machine_.limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
     const double rounded = 0.5 * chosen();
-    const PreparedContour prepared = prepare_contour(given_, head_limits(machine_), planning, progress_, 0, rounded);
+    const PreparedContour prepared =
+        prepare_contour(given_, head_limits(machine_), planning, progress_.part(0, rounded));
     moving_head_ = head_, moving_coarse_ = coarse_axes_, moving_fine_ = fine_axes_;
     moving_head_.axes.resize(moving_), moving_coarse_.resize(moving_), moving_fine_.resize(moving_);
-    const auto drive = [&](const std::shared_ptr<const Contour>& contour, double from, double to) {
+    const auto drive = [&](const std::shared_ptr<const Contour>& contour, Progress progress) {
       driven_ = {contour, path_planning(prepared, contour, planning), {}, {}};
-      driven_.bound = lower_bound(head_task(), planning.corner_angle, progress_, from, to, &driven_.sections);
+      driven_.bound = lower_bound(head_task(), planning.corner_angle, progress, &driven_.sections);
     };
-    if (!prepared.rounded) return drive(given_, chosen(), bounded());
-    drive(prepared.rounded, rounded, chosen());
-    ProgressScope scope(progress_, "planning", chosen(), chosen());
+    if (!prepared.rounded) return drive(given_, progress_.part(chosen(), bounded()));
+    drive(prepared.rounded, progress_.part(rounded, chosen()));
+    ProgressScope scope(progress_.part(chosen(), chosen()), "planning");
     const auto axes = prepared.axes->along(given_).moving;
     const StoppingTime stopping(*given_, *axes, moving_head_, planning.corner_angle);
     if (driven_.bound.value <= given_->dwell() + stopping.least(0, given_->path.size(), scope)) return;
     Driven other = std::exchange(driven_, {});
-    drive(given_, chosen(), bounded());
+    drive(given_, progress_.part(chosen(), bounded()));
     if (driven_.bound.value < other.bound.value)
       notes_.emplace_back("driven as given, with stops at its corners: rounded it would be slower");
     else
@@ -257,8 +258,8 @@ class CoarseFineProblem final : public MotionProblem {
 
   void raise_bound() {
     driven_.bound.basis += ", limits of coarse and fine axes summed";
-    const StrokeGain gain =
-        raise_by_stroke({head_task(), moving_coarse_, moving_fine_, bounded(), bounded()}, driven_.sections, progress_);
+    const StrokeGain gain = raise_by_stroke({head_task(), moving_coarse_, moving_fine_}, driven_.sections,
+                                            progress_.part(bounded(), bounded()));
     driven_.bound.value += gain.duration;
     if (gain.sections > 0)
       driven_.bound.basis += "; the way of the coarse axes in " + std::to_string(gain.sections) + " sections";
@@ -276,7 +277,7 @@ class CoarseFineProblem final : public MotionProblem {
     if (!fastest) return;
     const std::vector<double> times = section_times(plan_.head->law(), 1, driven_.sections);
     const double gain =
-        gain_of_chains({head_task(), moving_coarse_, moving_fine_, 1, 1}, driven_.sections, times, progress_);
+        gain_of_chains({head_task(), moving_coarse_, moving_fine_}, driven_.sections, times, progress_.part(1, 1));
     if (!(gain > 0)) return;
     driven_.bound.value += gain;
     driven_.bound.basis += "; sections with their neighbours";
@@ -310,7 +311,7 @@ class CoarseFineProblem final : public MotionProblem {
   const CoarseFineMachine& machine_;
   const ContourPlanning& planning_;
   const RedundancyOptions& options_;
-  Progress& progress_;
+  Progress progress_;
   Machine head_;  // what head, coarse and fine axes are held to
   std::vector<AxisLimits> coarse_axes_, fine_axes_;
   std::shared_ptr<const Contour> given_;
@@ -348,11 +349,10 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine) {
 }
 
 CoarseFinePlan plan_coarse_fine(Contour contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
-                                const RedundancyOptions& options, Progress& progress) {
+                                const RedundancyOptions& options, Progress progress) {
   CoarseFineProblem problem(std::move(contour), machine, planning, options, progress);
   PipelineOptions pipeline{machine.cycle_time, planning.max_setpoints, max_corrections};
-  pipeline.rows_from = CoarseFineProblem::verified;
-  return problem.report(plan_motion(problem, pipeline, progress));
+  return problem.report(plan_motion(problem, pipeline, progress.part(CoarseFineProblem::verified, 1)));
 }
 
 }  // namespace bahnwerk

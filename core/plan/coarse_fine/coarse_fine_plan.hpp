@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/motion/axes/motion.hpp"
 #include "core/motion/law/path_motion.hpp"
@@ -13,8 +14,6 @@
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct CoarseFinePlan {
   ContourPlan contour;  ///< the parts that all plans of contours have; its setpoints are CoarseFineSetpoints
@@ -59,6 +58,6 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine);
 /// Cost: that of the method and 2 to 8 µs per cell of its coarse motion for verification. Throws what rounding and
 /// methods throw, and Infeasible if no candidate has a plan.
 CoarseFinePlan plan_coarse_fine(Contour contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
-                                const RedundancyOptions& options, Progress& progress);
+                                const RedundancyOptions& options, Progress progress);
 
 }  // namespace bahnwerk

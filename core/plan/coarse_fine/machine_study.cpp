@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/base/progress_part.hpp"
 #include "core/drawing/panel.hpp"
 #include "core/drawing/svg.hpp"
 #include "core/plan/trial.hpp"
@@ -75,7 +74,7 @@ void fail(const Verification& verification, StudiedMachine& machine) {
 }
 
 StudiedMachine studied(double value, const Contour& contour, const CoarseFineMachine& machine,
-                       const ContourPlanning& planning, const RedundancyOptions& options, Progress& progress) {
+                       const ContourPlanning& planning, const RedundancyOptions& options, Progress progress) {
   StudiedMachine result;
   result.value = value;
   const auto plan = trial([&] { return plan_coarse_fine(contour, machine, planning, options, progress); });
@@ -130,7 +129,7 @@ std::vector<StudyRequest> usual_studies() {
 
 MachineStudy machine_study(const Contour& contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
                            const RedundancyOptions& given, const std::vector<StudyRequest>& requests,
-                           Progress& progress, double from, double to) {
+                           Progress progress) {
   RedundancyOptions options = given;
   options.compare = false;
   options.smoothness = options.stretch = 0;
@@ -141,11 +140,11 @@ MachineStudy machine_study(const Contour& contour, const CoarseFineMachine& mach
     for (const double value : values_of(request, machine)) study.back().machines.push_back({value, {}, {}});
     plans += study.back().machines.size();
   }
-  const double share = (to - from) / static_cast<double>(std::max<std::size_t>(plans, 1));
-  double begin = from;
+  const double share = 1 / static_cast<double>(std::max<std::size_t>(plans, 1));
+  double begin = 0;
   for (Study& table : study) {
     for (StudiedMachine& m : table.machines) {
-      ProgressPart part(progress, stage, begin, begin + share);
+      const Progress part = progress.part(begin, begin + share).named(stage);
       begin += share;
       m = studied(m.value, contour, changed(machine, table.quantity, m.value), planning, options, part);
     }

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "core/base/named.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/plan/coarse_fine/coarse_fine_plan.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 enum class StudiedQuantity { stroke, fine_acceleration, fine_velocity, coarse_acceleration, coarse_velocity };
 inline constexpr Named<StudiedQuantity> studied_quantities[] = {
@@ -48,7 +47,7 @@ using MachineStudy = std::vector<Study>;
 /// Throws Stopped.
 MachineStudy machine_study(const Contour& contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
                            const RedundancyOptions& options, const std::vector<StudyRequest>& requests,
-                           Progress& progress, double from, double to);
+                           Progress progress);
 
 /// Returns an SVG with the duration over the changed quantity, one curve per quantity; `duration` is that of the given
 /// machine, s.

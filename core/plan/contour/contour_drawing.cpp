@@ -115,7 +115,7 @@ std::string axes(const View& view) {
 
 class Drawer {
  public:
-  Drawer(const Contour& contour, const ContourDrawingOptions& options, Progress& progress)
+  Drawer(const Contour& contour, const ContourDrawingOptions& options, Progress progress)
       : contour_(contour), options_(options), progress_(progress) {}
 
   std::string run() {
@@ -378,7 +378,7 @@ class Drawer {
 
   const Contour& contour_;
   const ContourDrawingOptions& options_;
-  Progress& progress_;
+  Progress progress_;
   Box box_;
   std::array<double, 2> length_{};  // mm, cut and positioned
   double fastest_ = 1e-9;           // mm/s, of cuts
@@ -388,7 +388,7 @@ class Drawer {
 
 }  // namespace
 
-std::string contour_drawing(const Contour& contour, const ContourDrawingOptions& options, Progress& progress) {
+std::string contour_drawing(const Contour& contour, const ContourDrawingOptions& options, Progress progress) {
   return Drawer(contour, options, progress).run();
 }
 

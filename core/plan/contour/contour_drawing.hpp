@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/geometry/curve/vec.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct ContourDrawingOptions {
   std::string title;
@@ -28,6 +27,6 @@ struct ContourDrawingOptions {
 /// grows by factors of √2 until the drawing is no larger than max_bytes: points are left out where e permits, and lines
 /// within e of a line already drawn are not repeated. If the drawing does not fit even with 51 px, a sentence takes its
 /// place. Cost: O(points), about 0.1 µs per segment and pass, at most 17 passes; asks `progress` every 4096 points.
-std::string contour_drawing(const Contour& contour, const ContourDrawingOptions& options, Progress& progress);
+std::string contour_drawing(const Contour& contour, const ContourDrawingOptions& options, Progress progress);
 
 }  // namespace bahnwerk

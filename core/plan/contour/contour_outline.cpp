@@ -20,7 +20,7 @@ struct Points {
   std::vector<bool> cut;  ///< whether the edge that ends here is cut
 };
 
-Points sample(const Contour& contour, double tolerance, Progress& progress) {
+Points sample(const Contour& contour, double tolerance, Progress progress) {
   Points points;
   bool cut = false;
   const std::function<void(Vec)> to = [&](Vec p) {
@@ -39,7 +39,7 @@ Points sample(const Contour& contour, double tolerance, Progress& progress) {
   return points;
 }
 
-Outline thinned(const Points& points, double tolerance, bool keep_modes, Progress& progress) {
+Outline thinned(const Points& points, double tolerance, bool keep_modes, Progress progress) {
   Outline out;
   ChordFan fan(tolerance, false);
   bool cut = false;
@@ -93,7 +93,7 @@ double time_of(const Stretch& s, double v0, double v1) {
 
 }  // namespace
 
-Outline outline(const Contour& contour, std::size_t most, Progress& progress) {
+Outline outline(const Contour& contour, std::size_t most, Progress progress) {
   if (contour.path.empty()) return {};
   std::vector<Vec> ends{contour.path.at(0).value};
   for (std::size_t i = 0; i < contour.path.size(); ++i)
@@ -109,7 +109,7 @@ Outline outline(const Contour& contour, std::size_t most, Progress& progress) {
   }
 }
 
-Outline outline(const std::vector<Vec>& points, std::size_t most, Progress& progress) {
+Outline outline(const std::vector<Vec>& points, std::size_t most, Progress progress) {
   if (points.size() <= most) return {points, std::vector<bool>(points.size(), true), 0};
   const Points all{points, std::vector<bool>(points.size(), true)};
   for (double tolerance = std::max(1e-5 * size_of(points), 1e-9);; tolerance *= 2) {
@@ -120,7 +120,7 @@ Outline outline(const std::vector<Vec>& points, std::size_t most, Progress& prog
 }
 
 DurationEstimate estimate_duration(const Contour& contour, const AxisPath& follows, const Machine& machine,
-                                   double corner_angle, Progress& progress) {
+                                   double corner_angle, Progress progress) {
   const Path& path = contour.path;
   const std::size_t n = path.size(), axes = std::min(machine.dimension(), follows.axes());
   const std::vector<double> feeds = contour.feeds();

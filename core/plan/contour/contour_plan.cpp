@@ -42,7 +42,7 @@ std::unique_ptr<SetpointSource> setpoints(const std::shared_ptr<const Contour>& 
 }  // namespace
 
 ContourPlan plan_contour(Contour input, const ToolMachine& machine, const ContourPlanning& planning,
-                         Progress& progress) {
+                         Progress progress) {
   check(input, machine, planning);
   if (planning.stop_at_mode_change) stop_at_mode_changes(input);
   const auto given = std::make_shared<const Contour>(std::move(input));
@@ -50,8 +50,8 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
   const bool blended = planning.corner_mode == CornerMode::blend;
   const double prepared_at = blended ? 0.1 * all : 0.0, chosen_at = blended ? 0.5 * all : 0.0,
                served = (blended ? 0.95 : 1.0) * all;
-  const PreparedContour prepared = prepare_contour(given, machine, planning, progress, 0.0, prepared_at);
-  DrivenContour driven = choose_rounding(prepared, planning, progress, prepared_at, chosen_at);
+  const PreparedContour prepared = prepare_contour(given, machine, planning, progress.part(0, prepared_at));
+  DrivenContour driven = choose_rounding(prepared, planning, progress.part(prepared_at, chosen_at));
   const std::shared_ptr<const Contour> contour = std::move(driven.contour);
   const ContourAxes& axes = *prepared.axes;
   PathPlanning path = path_planning(prepared, contour, planning);
@@ -68,15 +68,15 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
           {contour->path, axes.height(*contour), machine.coordinates, *axes.kinematics(), rows, columns}));
       return list;
     };
-  path.from = chosen_at;
-  path.to = served;
-  PathPlan planned = plan_along(path, progress, std::move(driven.law));
+  PathPlan planned = plan_along(path, progress.part(chosen_at, served), std::move(driven.law));
 
   const TimeLaw& sampled = planned.motion->law();
   show(axes, machine, planned.verification);
   for (const auto& rows : planned.row_checks) planned.verification.add(rows->checks());
-  if (!given->rests.empty()) planned.verification.add(rest_check(*given, *contour, sampled, progress, served));
-  if (blended) planned.verification.add(tube_checks(*given, *contour, planning.blend_tolerance, progress, served, all));
+  if (!given->rests.empty())
+    planned.verification.add(rest_check(*given, *contour, sampled, progress.part(served, served)));
+  if (blended)
+    planned.verification.add(tube_checks(*given, *contour, planning.blend_tolerance, progress.part(served, all)));
 
   ContourPlan plan;
   plan.notes = contour->notes;
@@ -91,21 +91,22 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
   plan.bound = planned.bound;
   report_blocks(*contour, sampled, planned.cycles.factor, plan);
   report_joints(*contour, *path.moving, axes.shown(), sampled, planned.cycles.factor, planning.corner_angle, plan,
-                progress, all);
-  plan.slow_lines =
-      slow_lines(*planned.motion, prepared.held, path.feeds, planning.along, slow_lines_listed, progress, all);
-  plan.sections = section_gaps(*path.path, sampled, planned.cycles.factor, planned.section_bounds, progress, all);
+                progress.part(all, all));
+  plan.slow_lines = slow_lines(*planned.motion, prepared.held, path.feeds, planning.along, slow_lines_listed,
+                               progress.part(all, all));
+  plan.sections =
+      section_gaps(*path.path, sampled, planned.cycles.factor, planned.section_bounds, progress.part(all, all));
   plan.verification = std::move(planned.verification);
   plan.setpoints = std::move(planned.setpoints);
   plan.path = contour;
   plan.axes = prepared.axes;
   plan.motion = std::move(planned.motion);
-  if (planning.what_if) plan.what_if = what_if(given, machine, planning, progress, all, 1.0);
+  if (planning.what_if) plan.what_if = what_if(given, machine, planning, progress.part(all, 1));
   return plan;
 }
 
 ContourPlan plan_contour(Contour contour, const ToolMachine& machine, const ContourPlanning& planning) {
-  SilentProgress silent;
+  Progress silent;
   return plan_contour(std::move(contour), machine, planning, silent);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
@@ -18,7 +19,6 @@ namespace bahnwerk {
 
 class ContourAxes;
 class PathMotion;
-class Progress;
 
 enum class CornerMode { stop, blend };
 
@@ -91,7 +91,7 @@ struct ContourPlan {
 ///
 /// Also throws InvalidInput naming every fault of machine and planning (core/plan/contour/contour_faults.hpp).
 ContourPlan plan_contour(Contour contour, const ToolMachine& machine, const ContourPlanning& planning,
-                         Progress& progress);
+                         Progress progress);
 /// Plans without a progress report.
 ContourPlan plan_contour(Contour contour, const ToolMachine& machine, const ContourPlanning& planning = {});
 

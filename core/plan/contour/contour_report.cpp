@@ -35,11 +35,11 @@ namespace {
 /// `step(joint)` returns the step of q′ of each axis.
 template <class Step>
 void add_joints(const Contour& contour, const Step& step, const TimeLaw& sampled, double factor, double corner_angle,
-                ContourPlan& plan, Progress& progress, double progress_at) {
+                ContourPlan& plan, Progress progress) {
   std::size_t i = 0;
   const auto& pieces = sampled.pieces();
   const std::vector<bool> rest = contour.rest_places();
-  ProgressScope stage_progress(progress, "verify", progress_at, progress_at);
+  ProgressScope stage_progress(progress, "verify");
   for (const Joint& joint : joints(contour.path, &stage_progress)) {
     if (joint.angle > corner_angle || joint.angle < report_jump) continue;
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
@@ -53,20 +53,18 @@ void add_joints(const Contour& contour, const Step& step, const TimeLaw& sampled
 }  // namespace
 
 void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& sampled, double factor, double corner_angle,
-                   ContourPlan& plan, Progress& progress, double progress_at) {
+                   ContourPlan& plan, Progress progress) {
   const auto step = [&](const Joint& joint) {
     std::vector<double> steps;
     for (std::size_t k = 0; k < axes; ++k) steps.push_back(joint.step[k]);
     return steps;
   };
-  add_joints(contour, step, sampled, factor, corner_angle, plan, progress, progress_at);
+  add_joints(contour, step, sampled, factor, corner_angle, plan, progress);
 }
 
 void report_joints(const Contour& contour, const AxisPath& axes, const std::vector<double>& shown,
-                   const TimeLaw& sampled, double factor, double corner_angle, ContourPlan& plan, Progress& progress,
-                   double progress_at) {
-  if (shown.empty())
-    return report_joints(contour, axes.axes(), sampled, factor, corner_angle, plan, progress, progress_at);
+                   const TimeLaw& sampled, double factor, double corner_angle, ContourPlan& plan, Progress progress) {
+  if (shown.empty()) return report_joints(contour, axes.axes(), sampled, factor, corner_angle, plan, progress);
   const auto step = [&](const Joint& joint) {
     const AxisJet before = axes.at_parameter(joint.next - 1, axes[joint.next - 1].curve().end()),
                   after = axes.at_parameter(joint.next, axes[joint.next].curve().begin());
@@ -74,7 +72,7 @@ void report_joints(const Contour& contour, const AxisPath& axes, const std::vect
     for (std::size_t k = 0; k < axes.axes(); ++k) steps.push_back(shown[k] * (after.d1[k] - before.d1[k]));
     return steps;
   };
-  add_joints(contour, step, sampled, factor, corner_angle, plan, progress, progress_at);
+  add_joints(contour, step, sampled, factor, corner_angle, plan, progress);
 }
 
 void note_still_axes(const AxisPath& axes, const std::vector<double>& shown, const Machine& machine,

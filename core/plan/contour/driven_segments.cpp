@@ -50,7 +50,7 @@ DrivenSegment begin_segment(const Contour& contour, std::size_t segment, std::si
 }  // namespace
 
 std::vector<DrivenSegment> document_segments(const Contour& contour, const AxisPath& axes, const Machine& machine,
-                                             Progress& progress) {
+                                             Progress progress) {
   std::vector<DrivenSegment> out;
   out.reserve(contour.path.size());
   for (std::size_t b = 0; b < contour.blocks.size(); ++b)
@@ -63,7 +63,7 @@ std::vector<DrivenSegment> document_segments(const Contour& contour, const AxisP
 }
 
 std::vector<DrivenSegment> driven_segments(const Contour& contour, const AxisPath& axes, const Machine& machine,
-                                           const TimeLaw& law, Progress& progress) {
+                                           const TimeLaw& law, Progress progress) {
   const std::vector<BlockTime> blocks = block_times(contour, law);
   std::vector<DrivenSegment> out;
   out.reserve(contour.path.size() + contour.rests.size());

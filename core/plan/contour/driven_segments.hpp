@@ -3,14 +3,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/axis_path.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// A path segment in the time of the setpoints, or a dwell, which has no length. They follow one another without gaps.
 struct DrivenSegment {
@@ -28,10 +27,10 @@ struct DrivenSegment {
 /// that of the setpoints. O(pieces + segments), and
 /// eight evaluations of the path per curve without a feed; asks `progress` every 4096 pieces.
 std::vector<DrivenSegment> driven_segments(const Contour& contour, const AxisPath& axes, const Machine& machine,
-                                           const TimeLaw& law, Progress& progress);
+                                           const TimeLaw& law, Progress progress);
 
 /// Returns the segments of a contour that is not planned, in their order: without times, rests and dwells.
 std::vector<DrivenSegment> document_segments(const Contour& contour, const AxisPath& axes, const Machine& machine,
-                                             Progress& progress);
+                                             Progress progress);
 
 }  // namespace bahnwerk

@@ -5,16 +5,16 @@
 namespace bahnwerk {
 
 PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
-                                const ContourPlanning& planning, Progress& progress, double from, double to) {
+                                const ContourPlanning& planning, Progress progress) {
   const MethodRow method = method_row(planning.method, planning);
   const auto axes = std::make_shared<const ContourAxes>(given, machine);
   PreparedContour prepared{given, nullptr, {}, axes, method, held_limits(axes->machine(), method), {}};
   prepared.moving = prepared.held;
   prepared.moving.axes.resize(axes->moved());
   if (planning.corner_mode == CornerMode::blend)
-    prepared.rounded = std::make_shared<const Contour>(blend(*given, {planning.blend_tolerance, planning.corner_angle},
-                                                             axes->tool_limits(prepared.moving), progress, from, to,
-                                                             &prepared.sections));
+    prepared.rounded =
+        std::make_shared<const Contour>(blend(*given, {planning.blend_tolerance, planning.corner_angle},
+                                              axes->tool_limits(prepared.moving), progress, &prepared.sections));
   return prepared;
 }
 

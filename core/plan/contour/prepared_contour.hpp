@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/blend.hpp"
 #include "core/contour/contour.hpp"
 #include "core/plan/contour/contour_axes.hpp"
@@ -10,8 +11,6 @@
 #include "core/plan/path_plan.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct PreparedContour {
   std::shared_ptr<const Contour> given;
@@ -22,9 +21,9 @@ struct PreparedContour {
   Machine held, moving;  ///< limits that the method keeps: of every axis, and of those that move
 };
 
-/// Throws what rounding throws, and UnreachablePose. Progress runs from `from` to `to`.
+/// Throws what rounding throws, and UnreachablePose.
 PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
-                                const ContourPlanning& planning, Progress& progress, double from, double to);
+                                const ContourPlanning& planning, Progress progress);
 
 /// Returns the problem of driving `driven`, a contour within the tolerance of the given one; the caller adds blocks,
 /// setpoints and progress.

@@ -41,15 +41,13 @@ Part part_of(const TimeLaw& law, std::size_t& next, std::size_t last) {
 
 class Chooser {
  public:
-  Chooser(const PreparedContour& prepared, const MethodOptions& options, Progress& progress, double from, double to)
+  Chooser(const PreparedContour& prepared, const MethodOptions& options, Progress progress)
       : prepared_(prepared),
         given_(prepared.given),
         rounded_(prepared.rounded),
         options_(options),
         progress_(progress),
-        stage_progress_(progress, "planning", from, to),
-        from_(from),
-        to_(to) {
+        stage_progress_(progress, "planning") {
     const std::vector<BlendSection>& places = prepared.sections;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const bool last = i + 1 == places.size();
@@ -67,11 +65,10 @@ class Chooser {
 
   DrivenContour run() {
     constexpr double first = 0.9;  // part of the progress
-    const double middle = from_ + first * (to_ - from_);
-    MethodResult law = plan(rounded_, from_, middle);
+    MethodResult law = plan(rounded_, progress_.part(0, first));
     stage_progress_.done(first);
     find_times(law.law);
-    if (!plan_with_stops(middle)) return {rounded_, std::move(law)};
+    if (!plan_with_stops(progress_.part(first, 1))) return {rounded_, std::move(law)};
     for (Section& s : sections_) {
       s.stops = s.stopping_law.duration > 0 && s.stopping_law.duration < quicker * s.law.duration;
       count_ += s.stops ? 1 : 0;
@@ -82,10 +79,10 @@ class Chooser {
   }
 
  private:
-  MethodResult plan(const std::shared_ptr<const Contour>& contour, double from, double to) {
+  MethodResult plan(const std::shared_ptr<const Contour>& contour, Progress progress) {
     const std::shared_ptr<const AxisPath> axes = prepared_.axes->along(contour).moving;
     const PathTask task{*axes, prepared_.moving, contour->feeds(), contour->rest_places()};
-    return prepared_.method.plan(task, options_, 0, progress_, from, to);
+    return prepared_.method.plan(task, options_, 0, progress);
   }
 
   /// Computes the rounded law's time of every section; a section at whose begin it does not rest belongs to the one
@@ -112,7 +109,7 @@ class Chooser {
 
   /// Plans the sections that may be quicker with stops, concatenated to a path of their own. Returns false if there are
   /// none.
-  bool plan_with_stops(double from) {
+  bool plan_with_stops(Progress progress) {
     const std::shared_ptr<const AxisPath> axes = prepared_.axes->along(given_).moving;
     const StoppingTime stopping(*given_, *axes, prepared_.moving, options_.corner_angle);
     const std::vector<double> feeds = given_->feeds();
@@ -132,7 +129,7 @@ class Chooser {
       }
     }
     if (stopping_.path.empty()) return false;
-    stopping_result_ = plan(borrowed(stopping_), from, to_);
+    stopping_result_ = plan(borrowed(stopping_), progress);
     stage_progress_.done(1);
     std::size_t next = 0;
     for (Section& s : sections_)
@@ -226,9 +223,8 @@ class Chooser {
   const PreparedContour& prepared_;
   const std::shared_ptr<const Contour>&given_, &rounded_;
   const MethodOptions& options_;
-  Progress& progress_;
+  Progress progress_;
   ProgressScope stage_progress_;
-  double from_, to_;
   std::vector<Section> sections_;
   Contour stopping_;
   MethodResult stopping_result_;
@@ -237,10 +233,9 @@ class Chooser {
 
 }  // namespace
 
-DrivenContour choose_rounding(const PreparedContour& prepared, const MethodOptions& options, Progress& progress,
-                              double from, double to) {
+DrivenContour choose_rounding(const PreparedContour& prepared, const MethodOptions& options, Progress progress) {
   if (!prepared.rounded) return {prepared.given, std::nullopt};
-  return Chooser(prepared, options, progress, from, to).run();
+  return Chooser(prepared, options, progress).run();
 }
 
 }  // namespace bahnwerk

@@ -4,11 +4,10 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/progress.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct DrivenContour {
   std::shared_ptr<const Contour> contour;
@@ -24,8 +23,7 @@ struct DrivenContour {
 /// section therefore takes longer than with stops, planned by the same method on the same grid.
 ///
 /// Cost: 0.1 µs per given segment, and the method's cost for the rounded contour and the sections in doubt (none of
-/// polygons, few of arcs). Throws as the method does. Progress runs from `from` to `to`.
-DrivenContour choose_rounding(const PreparedContour& prepared, const MethodOptions& options, Progress& progress,
-                              double from, double to);
+/// polygons, few of arcs). Throws as the method does.
+DrivenContour choose_rounding(const PreparedContour& prepared, const MethodOptions& options, Progress progress);
 
 }  // namespace bahnwerk

@@ -23,9 +23,8 @@ std::vector<double> section_times(const TimeLaw& law, double factor, const std::
 }
 
 SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,
-                         const std::vector<SectionBound>& bounds, Progress& progress, double progress_at,
-                         std::vector<SectionGap>* each) {
-  ProgressScope stage_progress(progress, "report", progress_at, progress_at);
+                         const std::vector<SectionBound>& bounds, Progress progress, std::vector<SectionGap>* each) {
+  ProgressScope stage_progress(progress, "report");
   SectionGaps result;
   std::vector<double> gaps;
   const std::vector<double> times = section_times(law, factor, bounds);

@@ -4,10 +4,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
+
 namespace bahnwerk {
 
 class AxisPath;
-class Progress;
 class TimeLaw;
 struct SectionBound;
 
@@ -32,7 +33,7 @@ std::vector<double> section_times(const TimeLaw& law, double factor, const std::
 /// Returns the gaps. `law` may contain dwells; `factor` is its duration over the planned one. `each`, if given,
 /// receives the sections that count, in order. O(pieces + sections).
 SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,
-                         const std::vector<SectionBound>& bounds, Progress& progress, double progress_at,
+                         const std::vector<SectionBound>& bounds, Progress progress,
                          std::vector<SectionGap>* each = nullptr);
 
 }  // namespace bahnwerk

@@ -58,8 +58,8 @@ class Reasons {
 }  // namespace
 
 std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machine, const std::vector<double>& feeds,
-                                 const Limits& along, std::size_t count, Progress& progress, double progress_at) {
-  ProgressScope stage_progress(progress, "report", progress_at, progress_at);
+                                 const Limits& along, std::size_t count, Progress progress) {
+  ProgressScope stage_progress(progress, "report");
   const AxisPath& path = motion.path();
   const auto& pieces = motion.law().pieces();
   std::size_t sources = 0;

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/machine/machine.hpp"
 
 namespace bahnwerk {
 
 class PathMotion;
-class Progress;
 
 /// What keeps a motion from being faster.
 struct ActiveLimit {
@@ -35,6 +35,6 @@ struct SlowLine {
 /// segment of the path, mm/s; `along` are the limits of the path that the motion keeps. Cost: O(pieces), and one
 /// evaluation of the path per piece of the returned lines. Asks `progress` every few ms.
 std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machine, const std::vector<double>& feeds,
-                                 const Limits& along, std::size_t count, Progress& progress, double progress_at);
+                                 const Limits& along, std::size_t count, Progress progress);
 
 }  // namespace bahnwerk

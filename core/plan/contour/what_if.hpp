@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Returns the changes that apply to a planning, in this order: twice the tolerance (if corners are rounded), half and
 /// twice the jerk (if it is limited), half the accelerations. Jerk and accelerations change for every axis and along
@@ -18,6 +17,6 @@ class Progress;
 /// as usual (the bound is computed only if the method refines by it), but no setpoints are made. A change without a
 /// plan has no duration. Cost: one plan per change, without setpoints and drawings. Throws Stopped.
 std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
-                            const ContourPlanning& planning, Progress& progress, double from, double to);
+                            const ContourPlanning& planning, Progress progress);
 
 }  // namespace bahnwerk

@@ -34,7 +34,7 @@ std::string number(double value, double smallest = 0) {
 
 class CamPlanner {
  public:
-  CamPlanner(const cam::CamGeometry& geometry, LawPlan& plan, Progress& progress)
+  CamPlanner(const cam::CamGeometry& geometry, LawPlan& plan, Progress progress)
       : g_(geometry),
         plan_(plan),
         progress_(progress),
@@ -182,14 +182,14 @@ class CamPlanner {
 
   const cam::CamGeometry& g_;
   LawPlan& plan_;
-  Progress& progress_;
+  Progress progress_;
   cam::FollowerLaw law_;
   std::vector<CamCondition> conditions_;
 };
 
 }  // namespace
 
-CamPlan plan_cam(const cam::CamGeometry& geometry, LawPlan& plan, Progress& progress) {
+CamPlan plan_cam(const cam::CamGeometry& geometry, LawPlan& plan, Progress progress) {
   return CamPlanner(geometry, plan, progress).run();
 }
 

@@ -21,6 +21,6 @@ struct CamPlan {
 /// Makes the cam of a law that closes, and appends the verifier's checks to `plan`. Throws InfeasibleAt, with places
 /// relative to the spec, where the cam is undercut or its pressure angle too large: it names the angle and what keeps
 /// the limit; where the follower does not reach; where velocities jump.
-CamPlan plan_cam(const cam::CamGeometry& geometry, LawPlan& plan, Progress& progress);
+CamPlan plan_cam(const cam::CamGeometry& geometry, LawPlan& plan, Progress progress);
 
 }  // namespace bahnwerk

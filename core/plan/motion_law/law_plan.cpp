@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/base/progress.hpp"
-#include "core/base/progress_part.hpp"
 #include "core/cam/classical/classical_sections.hpp"
 #include "core/cam/law_table.hpp"
 #include "core/plan/motion_law/planned_law.hpp"
@@ -66,11 +65,11 @@ std::size_t table_steps(const LawSampling& sampling, double cycle_duration) {
   return whole >= 1 && std::abs(steps - whole) <= 1e-9 * whole ? static_cast<std::size_t>(whole) : 0;
 }
 
-LawPlan plan_motion_law(const cam::MotionLawProblem& problem, const LawSampling& sampling, Progress& progress) {
+LawPlan plan_motion_law(const cam::MotionLawProblem& problem, const LawSampling& sampling, Progress progress) {
   LawPlan plan;
   plan.problem = problem;
   {
-    ProgressPart part(progress, "law", 0, 0.85);
+    const Progress part = progress.part(0, 0.85).named("law");
     PlannedLaw found = plan_law(problem, part);
     plan.solution = std::move(found.solution);
     plan.lower = found.lower;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/cam/problem.hpp"
@@ -13,7 +14,6 @@
 
 namespace bahnwerk {
 
-class Progress;
 struct LawToVerify;
 
 /// Length of a step of the table.
@@ -40,6 +40,6 @@ std::size_t table_steps(const LawSampling& sampling, double cycle_duration);
 LawToVerify published(const LawPlan& plan);
 
 /// Throws InvalidInput and Infeasible as the methods do. Deterministic.
-LawPlan plan_motion_law(const cam::MotionLawProblem& problem, const LawSampling& sampling, Progress& progress);
+LawPlan plan_motion_law(const cam::MotionLawProblem& problem, const LawSampling& sampling, Progress progress);
 
 }  // namespace bahnwerk

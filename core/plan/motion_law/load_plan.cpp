@@ -29,7 +29,7 @@ const char* unit(const cam::DriveLoad& load) { return load.turns() ? "N m" : "N"
 
 }  // namespace
 
-LoadPlan plan_load(const cam::DriveLoad& load, const cam::LoadLimits& limits, LawPlan& plan, Progress& progress) {
+LoadPlan plan_load(const cam::DriveLoad& load, const cam::LoadLimits& limits, LawPlan& plan, Progress progress) {
   LoadPlan out{load, limits, cam::load_figures(cam::linear_load(load), plan.solution.law, progress)};
   const std::string what = load.turns() ? "torque" : "force";
   const cam::LoadFigures& f = out.figures;

@@ -15,7 +15,7 @@ struct LoadPlan {
 
 /// Computes the figures and appends the verifier's checks to `plan`. Throws InfeasibleAt, with places relative to the
 /// spec, where a limit is broken.
-LoadPlan plan_load(const cam::DriveLoad& load, const cam::LoadLimits& limits, LawPlan& plan, Progress& progress);
+LoadPlan plan_load(const cam::DriveLoad& load, const cam::LoadLimits& limits, LawPlan& plan, Progress progress);
 
 /// Refuses by InfeasibleAt a law whose peaks, classical sections included, break the drive's limits in a given cycle;
 /// appends a check for each limit.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 #include "core/cam/active_set/angle_search.hpp"
 #include "core/cam/optimal/optimal_law.hpp"
 
@@ -33,7 +33,7 @@ constexpr const char* mean_basis = "the mean velocity between two points is reac
 
 /// Bounds a law of `active_set` by what method `optimal` proves of its problem: with fixed angles it has a bound over
 /// all laws. A classical law is one of these laws if its acceleration does not jump inside the section.
-void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Progress& progress) {
+void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Progress progress) {
   constexpr std::size_t most_sections = 100;
   if (problem.sections() > most_sections) return;
   cam::MotionLawProblem same = problem;
@@ -70,7 +70,7 @@ const char* text(cam::NoLaw why) {
 }
 
 /// The law of `active_set`, where there is one.
-std::optional<cam::LawSolution> compared_law(const cam::MotionLawProblem& problem, Progress& progress) {
+std::optional<cam::LawSolution> compared_law(const cam::MotionLawProblem& problem, Progress progress) {
   if (!problem.cycle_duration || problem.has_free_angles()) return std::nullopt;
   try {
     if (auto law = cam::plan_active_set(problem, progress)) return *std::move(law);
@@ -81,10 +81,11 @@ std::optional<cam::LawSolution> compared_law(const cam::MotionLawProblem& proble
 
 }  // namespace
 
-PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress) {
+PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress progress) {
   PlannedLaw out;
   if (problem.method == cam::LawMethod::optimal) {
-    ProgressPart comparing(progress, "comparison", 0, 0.1), optimising(progress, "law", 0.1, 1);
+    const Progress comparing = progress.part(0, 0.1).named("comparison");
+    const Progress optimising = progress.part(0.1, 1).named("law");
     out.source = compared_law(problem, comparing);
     // active_set knows no vibration.
     const bool candidate = out.source && problem.vibration.empty();
@@ -99,7 +100,8 @@ PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress) {
     }
     return out;
   }
-  ProgressPart solving(progress, "active_set", 0, 0.5), bounding(progress, "bound", 0.5, 1);
+  const Progress solving = progress.part(0, 0.5).named("active_set");
+  const Progress bounding = progress.part(0.5, 1).named("bound");
   auto law = cam::plan_active_set(problem, solving);
   if (!law) throw Infeasible(text(law.reason()));
   out.solution = *std::move(law);

@@ -3,11 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "core/cam/solution.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct PlannedLaw {
   cam::LawSolution solution;
@@ -18,7 +17,7 @@ struct PlannedLaw {
 };
 /// `optimal` is never worse than `active_set` where both have the same degree: it takes that law where its J is
 /// smaller. Throws InvalidInput, and Infeasible where `active_set` has no law.
-PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress);
+PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress progress);
 
 /// Returns a bound that costs nothing: between two points the mean velocity is reached. 0 if positions are not given.
 double mean_velocity_bound(const cam::MotionLawProblem& problem);

@@ -132,14 +132,14 @@ std::string probe_path_drawing(const ProbePlan& plan) {
   return svg::open(std::max(left + widest + right, 620.0), y) + svg::text({6, 20}, text, ink) + body + "</svg>\n";
 }
 
-std::string probe_motion_drawing(const ProbePlan& plan, Progress& progress) {
+std::string probe_motion_drawing(const ProbePlan& plan, Progress progress) {
   const ProbeProblem& problem = *plan.problem;
   const SplineMotion& motion = *plan.motion.motion;
   const double T = motion.duration();
   const std::size_t n = problem.dimension();
   Envelope deviation(columns, T), speed(columns, T);
   std::vector<std::array<Envelope, 3>> axes(n, {Envelope(columns, T), Envelope(columns, T), Envelope(columns, T)});
-  ProgressScope scope(progress, "drawing", 1, 1);
+  ProgressScope scope(progress.part(1, 1), "drawing");
   std::size_t edge = 0;
   for (std::size_t i = 0; i < motion.pieces(); ++i) {
     const double begin = motion.begin(i), duration = motion.end(i) - begin;

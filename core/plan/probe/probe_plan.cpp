@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/plan/pipeline.hpp"
 #include "core/plan/probe/probe_method.hpp"
@@ -21,25 +21,23 @@ constexpr double planned = 0.7, verified = 0.8, read = 0.85;
 /// Every method's motion keeps its limits by construction, with room for rounding: nothing is corrected.
 class ProbeMotionProblem final : public MotionProblem {
  public:
-  ProbeMotionProblem(const ProbeRequest& request, std::shared_ptr<const ProbeProblem> problem, Progress& progress)
+  ProbeMotionProblem(const ProbeRequest& request, std::shared_ptr<const ProbeProblem> problem, Progress progress)
       : request_(request), problem_(std::move(problem)), progress_(progress) {}
 
   void plan() override {
-    ProgressPart part(progress_, name_of<ProbeMethod>(request_.method, probe_methods), 0, planned);
+    const Progress part = progress_.part(0, planned).named(name_of<ProbeMethod>(request_.method, probe_methods));
     planned_ = probe_motion(request_, part);
   }
   bool plan_otherwise() override { return false; }
   double duration() const override { return planned_.duration(); }
   void slow(double factor) override {
-    ProgressScope scope(progress_, "whole cycles", planned, planned);
+    ProgressScope scope(progress_.part(planned, planned), "whole cycles");
     slowed_ = slowed(planned_, factor, static_cast<double>(whole_cycles(duration(), cycle()).count) * cycle(), &scope);
     resting_ = std::make_shared<const RestingMotion>(slowed_.motion, problem_->points.back());
   }
   Verification verify() override {
     Verification verdict{true, {}, {}};
-    ProbeToVerify input = to_verify();
-    input.progress_from = planned, input.progress_to = verified;
-    verdict.add(probe_checks(input, progress_));
+    verdict.add(probe_checks(to_verify(), progress_.part(planned, verified)));
     return verdict;
   }
   bool correct(const Verification&) override { return false; }
@@ -55,7 +53,7 @@ class ProbeMotionProblem final : public MotionProblem {
     return rows;
   }
   Bound bound() override {
-    ProgressPart part(progress_, "bound", read, 1);
+    const Progress part = progress_.part(read, 1).named("bound");
     return probe_bound_of(request_, part);
   }
 
@@ -67,26 +65,25 @@ class ProbeMotionProblem final : public MotionProblem {
 
   const ProbeRequest& request_;
   std::shared_ptr<const ProbeProblem> problem_;
-  Progress& progress_;
+  Progress progress_;
   ProbeMotion planned_, slowed_;
   std::shared_ptr<const RestingMotion> resting_;
 };
 
 }  // namespace
 
-ProbePlan plan_probe(const ProbeRequest& request, Progress& progress) {
+ProbePlan plan_probe(const ProbeRequest& request, Progress progress) {
   ProbePlan plan;
   plan.problem = std::make_shared<const ProbeProblem>(request.problem);
   plan.stops = stops_duration(*plan.problem);
   ProbeMotionProblem problem(request, plan.problem, progress);
   PipelineOptions options{request.problem.machine.cycle_time, request.max_setpoints};
-  options.rows_from = verified, options.rows_to = read;
   options.cycle_time_place = {"cycle_time"};
-  MotionPlan made = plan_motion(problem, options, progress);
+  MotionPlan made = plan_motion(problem, options, progress.part(verified, read));
   plan.duration = made.duration;
   plan.cycles = made.cycles;
   plan.motion = problem.served();
-  ProgressScope scope(progress, "figures", 1, 1);
+  ProgressScope scope(progress.part(1, 1), "figures");
   plan.figures = probe_figures(*plan.problem, plan.motion, scope);
   plan.verification = std::move(made.verification);
   plan.bound = std::move(made.bound);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/base/named.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/setpoints/cycles.hpp"
@@ -11,8 +12,6 @@
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 enum class ProbeMethod { optimal, arcs, spline };
 inline constexpr Named<ProbeMethod> probe_methods[] = {
@@ -39,6 +38,6 @@ struct ProbePlan {
 };
 
 /// Plans the request. Throws InvalidInput for a motion of more than max_setpoints setpoints, and what progress throws.
-ProbePlan plan_probe(const ProbeRequest& request, Progress& progress);
+ProbePlan plan_probe(const ProbeRequest& request, Progress progress);
 
 }  // namespace bahnwerk

@@ -3,7 +3,6 @@
 #include <memory>
 #include <variant>
 
-#include "core/base/progress_part.hpp"
 #include "core/plan/trial.hpp"
 #include "core/plan/winding/needle_support.hpp"
 #include "core/winding/path/post_passage.hpp"
@@ -12,7 +11,7 @@ namespace bahnwerk {
 
 Expected<winding::NeedlePath, winding::NoPath> linked_path(const WindingRequest& request,
                                                            const std::vector<winding::FixedPiece>& support,
-                                                           LinkObjective objective, Progress& progress) {
+                                                           LinkObjective objective, Progress progress) {
   winding::LinkOptions options = request.links;
   options.objective = objective;
   const auto* stator = std::get_if<winding::StatorPart>(&request.part);
@@ -22,7 +21,7 @@ Expected<winding::NeedlePath, winding::NoPath> linked_path(const WindingRequest&
 }
 
 bool reaches_with_least_bend(const WindingRequest& request, const std::vector<winding::Turn>& turns,
-                             const winding::FixedPiece& piece, Progress& progress) {
+                             const winding::FixedPiece& piece, Progress progress) {
   std::vector<winding::Turn> near;
   for (const winding::Turn& turn : turns)
     if (turn.coil == piece.coil && turn.number + 1 >= piece.turn && turn.number <= piece.turn + 1) near.push_back(turn);
@@ -30,7 +29,7 @@ bool reaches_with_least_bend(const WindingRequest& request, const std::vector<wi
   model.pivot_limit = tried_swivels(request).front();
   model.pull.bend_radius = request.wire.outer, model.pull.bending_moment = 0;
   // The stages were reported before.
-  ProgressPart again(progress, "machine", 1, 1);
+  const Progress again = progress.part(1, 1).named("machine");
   const auto fixed = needle_support(request, near, model, again);
   if (!fixed) return false;
   const auto path = linked_path(request, *fixed, request.links.objective, again);

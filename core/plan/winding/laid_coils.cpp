@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -22,7 +22,7 @@ InvalidInput fault(std::vector<std::string> place, std::string message) {
 
 class Laying {
  public:
-  Laying(const WindingRequest& request, WindingPlan& plan, Progress& progress)
+  Laying(const WindingRequest& request, WindingPlan& plan, Progress progress)
       : request_(request), plan_(plan), progress_(progress) {}
 
   template <class Part>
@@ -30,7 +30,7 @@ class Laying {
     const winding::Slot slot = winding::checked_slot(part);
     std::vector<winding::LayingRegions> regions;
     for (const winding::Coil& coil : request_.coils) regions.push_back(winding::coil_regions(part, slot, coil));
-    ProgressPart laying(progress_, "layout", 0, coils_laid);
+    const Progress laying = progress_.part(0, coils_laid).named("layout");
     plan_.layout = winding::needle(regions.front(), request_.wire.radius(), slot.tension_point, laying);
     const std::size_t places = plan_.layout[0].wires.size(), parallel = request_.parallel, most = places / parallel;
     if (places == 0) throw fault({"wire"}, "does not fit into the slot");
@@ -61,18 +61,18 @@ class Laying {
                            winding::Needle{request_.needle.width, winding::Needle::Stand::middle, request_.parallel,
                                            request_.model.pivot_limit.has_value()}};
     coil.back = &layouts[1];
-    ProgressPart verdict(progress_, "layout", coils_laid, coils_laid);
+    const Progress verdict = progress_.part(coils_laid, coils_laid).named("layout");
     plan_.windable = winding::windable(coil, request_.hold, verdict);
   }
 
   const WindingRequest& request_;
   WindingPlan& plan_;
-  Progress& progress_;
+  Progress progress_;
 };
 
 }  // namespace
 
-void lay_coils(const WindingRequest& request, WindingPlan& plan, Progress& progress) {
+void lay_coils(const WindingRequest& request, WindingPlan& plan, Progress progress) {
   std::visit([&](const auto& part) { Laying(request, plan, progress).lay(part); }, request.part);
 }
 

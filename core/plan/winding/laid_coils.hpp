@@ -10,6 +10,6 @@ inline constexpr double coils_laid = 0.03;
 /// Sets layout, turns and windable of `plan`. The verdict is that of kind fill_factor, on the first 400 wires and on
 /// all that are wound. Throws InvalidInput naming wire, coil.parallel or coil.turns where the layout has too few
 /// places, feed.law; what slot and regions throw; Stopped. O(n²) for n wires.
-void lay_coils(const WindingRequest& request, WindingPlan& plan, Progress& progress);
+void lay_coils(const WindingRequest& request, WindingPlan& plan, Progress progress);
 
 }  // namespace bahnwerk

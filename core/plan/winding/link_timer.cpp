@@ -12,10 +12,10 @@ namespace {
 
 /// Reports progress at a constant fraction and stops a plan after a number of reports, not of seconds, so that equal
 /// pieces always stop equally.
-class Effort final : public Progress {
+class Effort final : public ProgressSink {
  public:
   struct Spent {};
-  Effort(Progress& whole, std::size_t most) : whole_(whole), most_(most) {}
+  Effort(Progress whole, std::size_t most) : whole_(whole), most_(most) {}
   void report(std::string_view, double, std::string_view) override {
     whole_.report("link", share);
     if (++reports_ > most_) throw Spent{};
@@ -23,7 +23,7 @@ class Effort final : public Progress {
 
  private:
   static constexpr double share = 0.05;
-  Progress& whole_;
+  Progress whole_;
   std::size_t most_, reports_ = 0;
 };
 

@@ -4,18 +4,17 @@
 #include <memory>
 #include <span>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/bezier_piece.hpp"
 #include "core/machine/kinematics.hpp"
 
 namespace bahnwerk {
 
-class Progress;
-
 class LinkTimer {
  public:
   /// `machine` and `progress` must outlive this object. `along` are limits of the tip along its path; `cycle_time` is
   /// that of the setpoints, s.
-  LinkTimer(const Kinematics& machine, const Limits& along, double cycle_time, Progress& progress)
+  LinkTimer(const Kinematics& machine, const Limits& along, double cycle_time, Progress progress)
       : machine_(machine), along_(along), cycle_time_(cycle_time), progress_(progress) {}
 
   /// Returns the time, s, on a coarse grid: relatively about 3e-3 above exact(). It takes 3 to 6 ms for a slot, a link
@@ -31,7 +30,7 @@ class LinkTimer {
   const Kinematics& machine_;
   Limits along_;
   double cycle_time_;
-  Progress& progress_;
+  Progress progress_;
 };
 
 }  // namespace bahnwerk

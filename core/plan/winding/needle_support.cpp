@@ -40,8 +40,9 @@ double slot_depth(const WindingRequest& request, const std::vector<FixedPiece>& 
 
 std::string where(const FixedPiece& piece) {
   const std::string turn = "turn " + std::to_string(piece.turn + 1) + " of coil " + std::to_string(piece.coil + 1);
-  return piece.kind == FixedPiece::Kind::coil_change ? "the way to the next coil after " + turn
-                                                     : std::string(region_in_words(piece.region)) + " of " + turn;
+  return piece.kind == FixedPiece::Kind::coil_change
+             ? "the way to the next coil after " + turn
+             : std::string(winding::region_in_words(piece.region)) + " of " + turn;
 }
 
 bool same_pose(const winding::NeedlePose& a, const winding::NeedlePose& b) {
@@ -63,7 +64,7 @@ std::vector<std::optional<double>> tried_swivels(const WindingRequest& request) 
 
 Expected<std::vector<FixedPiece>, winding::NoSupport> needle_support(const WindingRequest& request,
                                                                      const std::vector<winding::Turn>& turns,
-                                                                     winding::NeedleModel model, Progress& progress) {
+                                                                     winding::NeedleModel model, Progress progress) {
   model.shape = request.needle, model.clearance = request.least_clearance;
   if (const auto* stator = std::get_if<StatorPart>(&request.part))
     return winding::support_points(*stator, request.coils, turns, model, progress);

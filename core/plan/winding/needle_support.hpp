@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/plan/winding/winding_plan.hpp"
 
 namespace bahnwerk {
@@ -18,7 +19,7 @@ std::vector<std::optional<double>> tried_swivels(const WindingRequest& request);
 Expected<std::vector<winding::FixedPiece>, winding::NoSupport> needle_support(const WindingRequest& request,
                                                                               const std::vector<winding::Turn>& turns,
                                                                               winding::NeedleModel model,
-                                                                              Progress& progress);
+                                                                              Progress progress);
 
 /// Return the reason as a sentence for people; `support` is that of the path.
 const char* in_words(winding::NoSupport why);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -27,7 +27,7 @@ winding::PartObstacles coil_obstacles(const WindingRequest& request, std::size_t
 }
 
 PathClearance path_clearance(const WindingRequest& request, const std::vector<winding::FixedPiece>& support,
-                             const winding::NeedlePath& path, Progress& progress) {
+                             const winding::NeedlePath& path, Progress progress) {
   PathClearance nearest;
   nearest.least.minimum = unlimited;
   const std::vector<BezierPiece> curves = path.curves();
@@ -40,7 +40,7 @@ PathClearance path_clearance(const WindingRequest& request, const std::vector<wi
     const auto done = [&](std::size_t piece) {
       return static_cast<double>(piece) / static_cast<double>(pieces.size());
     };
-    ProgressPart clearing(progress, "clearance", done(begin), done(end));
+    const Progress clearing = progress.part(done(begin), done(end)).named("clearance");
     winding::Clearance least = winding::clearance(std::span(curves).subspan(begin, end - begin), request.needle,
                                                   all.list(), tolerance, clearing);
     least.move += begin;
@@ -104,7 +104,7 @@ class CurveBuilder {
 }  // namespace
 
 ClearanceCurve clearance_curve(const WindingRequest& request, const std::vector<winding::FixedPiece>& support,
-                               const winding::NeedlePath& path, const Path& tool, Progress& progress) {
+                               const winding::NeedlePath& path, const Path& tool, Progress progress) {
   const auto& pieces = path.pieces;
   int halvings = 0;
   while (halvings < most_halvings && (pieces.size() << (halvings + 1)) <= most_clearance_intervals) ++halvings;
@@ -117,7 +117,7 @@ ClearanceCurve clearance_curve(const WindingRequest& request, const std::vector<
     const auto done = [&](std::size_t piece) {
       return static_cast<double>(piece) / static_cast<double>(pieces.size());
     };
-    ProgressPart clearing(progress, "clearance", done(i), done(i + 1));
+    const Progress clearing = progress.part(done(i), done(i + 1)).named("clearance");
     const std::vector<winding::Clearance> found = winding::clearance_in_intervals(
         pieces[i].curve, halvings, curve_enough, request.needle, all.list(), curve_tolerance, clearing);
     for (std::size_t k = 0; k < found.size(); ++k)

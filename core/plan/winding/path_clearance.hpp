@@ -20,13 +20,13 @@ struct PathClearance {
 /// Returns the least clearance, proven to 0.001 mm, coil by coil with the obstacles that are present while that coil is
 /// wound. Reports fractions 0 to 1. Throws what winding::clearance() throws.
 PathClearance path_clearance(const WindingRequest& request, const std::vector<winding::FixedPiece>& support,
-                             const winding::NeedlePath& path, Progress& progress);
+                             const winding::NeedlePath& path, Progress progress);
 
 inline constexpr std::size_t most_clearance_intervals = 2000;
 
 /// Returns the curve with at most most_clearance_intervals intervals: equal parts of the parameters of pieces, or rows
 /// of pieces where there are many. `tool` is the path made of the pieces. Reports fractions from 0 to 1.
 ClearanceCurve clearance_curve(const WindingRequest& request, const std::vector<winding::FixedPiece>& support,
-                               const winding::NeedlePath& path, const Path& tool, Progress& progress);
+                               const winding::NeedlePath& path, const Path& tool, Progress progress);
 
 }  // namespace bahnwerk

@@ -6,15 +6,15 @@
 #include <utility>
 #include <variant>
 
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk {
 
-std::optional<SlotAccess> slot_access(const WindingRequest& request, Progress& progress) {
+std::optional<SlotAccess> slot_access(const WindingRequest& request, Progress progress) {
   const auto* part = std::get_if<winding::StatorPart>(&request.part);
   if (part == nullptr) return std::nullopt;
   constexpr double cells = 400;
-  ProgressPart drawing(progress, "drawing", 1, 1);
+  const Progress drawing = progress.part(1, 1).named("drawing");
   const winding::Slot slot = winding::checked_slot(*part);
   SlotAccess access;
   access.step = std::sqrt(part->slot.base_width * part->slot.height / cells);

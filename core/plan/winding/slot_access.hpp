@@ -19,6 +19,6 @@ struct SlotAccess {
 };
 
 /// Returns the maps; none for a rotor, whose slots are open. About 500 cells in all, 0.05 to 0.1 s. Throws Stopped.
-std::optional<SlotAccess> slot_access(const WindingRequest& request, Progress& progress);
+std::optional<SlotAccess> slot_access(const WindingRequest& request, Progress progress);
 
 }  // namespace bahnwerk

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/base/number_text.hpp"
-#include "core/base/progress_part.hpp"
 #include "core/motion/feed/curvature_feed.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/numeric/bisection.hpp"
@@ -19,6 +18,7 @@
 #include "core/plan/winding/laid_coils.hpp"
 #include "core/plan/winding/link_timer.hpp"
 #include "core/plan/winding/needle_support.hpp"
+#include "core/plan/winding/onward_progress.hpp"
 #include "core/plan/winding/path_clearance.hpp"
 #include "core/plan/winding/wire_length.hpp"
 #include "core/verify/law/total_jerk.hpp"
@@ -50,7 +50,7 @@ constexpr double laid = 0.05, linked = 0.2, cleared = 0.25, reached = 0.3, plann
 
 class Planner {
  public:
-  Planner(const WindingRequest& request, Progress& progress) : request_(request), progress_(progress) {}
+  Planner(const WindingRequest& request, Progress progress) : request_(request), onward_(progress) {}
 
   WindingPlan run() {
     lay_coils(request_, laid_, progress_);
@@ -90,7 +90,7 @@ class Planner {
     plan_.layout = laid_.layout, plan_.windable = laid_.windable, plan_.turns = laid_.turns;
     winding::NeedleModel model = request_.model;
     model.pivot_limit = swivel;
-    ProgressPart supporting(progress_, "support points", coils_laid, laid);
+    const Progress supporting = progress_.part(coils_laid, laid).named("support points");
     auto found = needle_support(request_, plan_.turns, model, supporting);
     if (!found) throw Infeasible(in_words(found.reason()));
     plan_.support = *std::move(found);
@@ -129,7 +129,7 @@ class Planner {
   }
 
   winding::NeedlePath linked_by(LinkObjective objective) {
-    ProgressPart linking(progress_, "link", laid, linked);
+    const Progress linking = progress_.part(laid, linked).named("link");
     auto path = linked_path(request_, plan_.support, objective, linking);
     if (!path) throw Infeasible(in_words(path.reason(), plan_.support));
     return *std::move(path);
@@ -143,7 +143,7 @@ class Planner {
     const std::shared_ptr<const Kinematics>& machine = reached->kinematics;
     const LinkTimer timer(*machine, request_.along, request_.cycle_time, progress_);
     const winding::NeedlePath substitute = linked_by(LinkObjective::control_distance);
-    ProgressPart timing(progress_, "link", linked, linked);
+    const Progress timing = progress_.part(linked, linked).named("link");
     const winding::QuickLinks quick = winding::quick_links(
         plan_.support, plan_.path, substitute, request_.links,
         [&](std::span<const BezierPiece> pieces) { return timer(pieces); }, timing);
@@ -166,7 +166,7 @@ class Planner {
 
   /// This stage covers the job's progress from `linked` to `to`.
   PathClearance clear(const winding::NeedlePath& path, double to) {
-    ProgressPart clearing(progress_, "clearance", linked, to);
+    const Progress clearing = progress_.part(linked, to).named("clearance");
     return path_clearance(request_, plan_.support, path, clearing);
   }
 
@@ -204,8 +204,7 @@ class Planner {
       const MachinePath machine = machine_path(tool.tool, tool.orientation, request_.configurations);
       PathPlanning planning = planning_of(path, tool.tool, machine);
       planning.only_duration = true;
-      planning.from = planning.to = linked;
-      return plan_along(planning, progress_).duration;
+      return plan_along(planning, progress_.part(linked, linked)).duration;
     });
     return duration ? *duration : unlimited;
   }
@@ -242,14 +241,12 @@ class Planner {
       list.push_back(coil_slot_row_check(coil_passes(request_, plan_, setpoints)));
       return list;
     };
-    planning.from = reached, planning.to = planned;
-    plan_.motion = plan_along(planning, progress_);
+    plan_.motion = plan_along(planning, progress_.part(reached, planned));
     Verification& verdict = plan_.motion.verification;
     verdict.add(needle->checks());
-    verdict.add(
-        curvature_checks({*plan_.machine.axes, plan_.motion.motion->law(), request_.cycle_time,
-                          request_.chord_tolerance, request_.half_speed_curvature, request_.along.velocity, planned},
-                         progress_));
+    verdict.add(curvature_checks({*plan_.machine.axes, plan_.motion.motion->law(), request_.cycle_time,
+                                  request_.chord_tolerance, request_.half_speed_curvature, request_.along.velocity},
+                                 progress_.part(planned, planned)));
     plan_.wire = wire_rows->figures();
     for (const auto& rows : std::exchange(plan_.motion.row_checks, {}))
       if (rows.get() != needle) verdict.add(rows->checks());
@@ -260,7 +257,7 @@ class Planner {
   std::shared_ptr<const Interpolation> interpolate(const std::shared_ptr<const PathMotion>& motion,
                                                    std::size_t cycles) {
     std::shared_ptr<const Interpolation> chosen;
-    ProgressScope stage_progress(progress_, "interpolate", planned, planned);
+    ProgressScope stage_progress(progress_.part(planned, planned), "interpolate");
     for (const auto& row : interpolators) {
       auto stepped =
           std::make_shared<const Interpolation>(motion, row.value, request_.cycle_time, cycles, stage_progress);
@@ -310,7 +307,7 @@ class Planner {
     plan_.fastest = peak_speed(plan_.motion.motion->law());
     for (const LawPiece& piece : plan_.motion.motion->law().pieces())
       plan_.jerk.along = std::max({plan_.jerk.along, std::abs(piece.j), std::abs(piece.at(piece.duration).j)});
-    ProgressScope verifying(progress_, "verify jerk", planned, 1);
+    ProgressScope verifying(progress_.part(planned, 1), "verify jerk");
     const verify::Worst total = verify::total_jerk(plan_.tool->tool, plan_.motion.motion->law(), verifying);
     plan_.jerk.total = total.value, plan_.jerk.at = total.at;
     const Path& tool = plan_.tool->tool;
@@ -330,7 +327,7 @@ class Planner {
       plan_.turn_begins.push_back(law.t0);
     }
     if (!(plan_.clearance.minimum < unlimited)) return;
-    ProgressPart curve(progress_, "clearance", planned, 1);
+    const Progress curve = progress_.part(planned, 1).named("clearance");
     plan_.clearance_curve = clearance_curve(request_, plan_.support, plan_.path, tool, curve);
     plan_.clearance_times = times_at(plan_.clearance_curve.bounds);
     // The last bound is the end of the path: there the needle is so slow that the place says little about the time.
@@ -365,7 +362,8 @@ class Planner {
   }
 
   const WindingRequest& request_;
-  OnwardProgress progress_;
+  OnwardProgress onward_;  // the feed is reached in several rounds
+  const Progress progress_{onward_};
   WindingPlan laid_;  ///< layout, turns and verdict, which do not depend on the needle's swivel
   WindingPlan plan_;
 };
@@ -383,7 +381,7 @@ std::string too_many_spline_turns(std::size_t turns) {
          std::to_string(turns);
 }
 
-WindingPlan plan_winding(const WindingRequest& request, Progress& progress) {
+WindingPlan plan_winding(const WindingRequest& request, Progress progress) {
   if (request.coils.empty()) throw InvalidInput(std::vector<InputFault>{{{"coil"}, "no coil to wind"}});
   return Planner(request, progress).run();
 }

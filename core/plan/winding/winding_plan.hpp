@@ -11,6 +11,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/named.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/unreachable_at.hpp"
 #include "core/motion/axes/machine_path.hpp"
 #include "core/motion/feed/constant_feed.hpp"
@@ -27,8 +28,6 @@
 #include "core/winding/wire.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The methods for the feed along the needle's path.
 inline constexpr Named<PlanningMethod> feed_methods[] = {
@@ -155,6 +154,6 @@ double tool_length(const Path& tool, std::size_t piece, double v);
 
 /// Returns the verified plan. Throws InvalidInput naming members of the kind's document (part, coil, machine, path,
 /// feed, pull, needle), Infeasible, FeedTooFastAtTurn, UnreachableTurn and Stopped. Cost: some ms per turn and machine.
-WindingPlan plan_winding(const WindingRequest& request, Progress& progress);
+WindingPlan plan_winding(const WindingRequest& request, Progress progress);
 
 }  // namespace bahnwerk

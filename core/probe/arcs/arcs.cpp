@@ -67,8 +67,8 @@ ProbeMotion straights_with_turns(const ProbeProblem& given, ProgressScope& scope
 
 }  // namespace
 
-ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress) {
-  ProgressScope scope(progress, "arcs", 0, 1);
+ProbeMotion plan_arcs(const ProbeProblem& problem, Progress progress) {
+  ProgressScope scope(progress, "arcs");
   scope.report();
   return with_lasting_phases(
       problem, straights_with_turns(problem, scope),

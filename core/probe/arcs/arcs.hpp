@@ -13,14 +13,13 @@
 ///
 /// From rest to rest the motion is the quicker one of this and rests at the ends of rows
 /// (core/probe/rest_sections.hpp). Cost: O(points), about 1 ms each.
+#include "core/base/progress.hpp"
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
 
-class Progress;
-
 /// Plans the motion. Throws what progress throws.
-ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress);
+ProbeMotion plan_arcs(const ProbeProblem& problem, Progress progress);
 
 }  // namespace bahnwerk

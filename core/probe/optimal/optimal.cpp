@@ -283,10 +283,10 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const ProbeMotion& quickes
 
 }  // namespace
 
-ProbeMotion plan_optimal(const ProbeProblem& problem, Progress& progress) {
+ProbeMotion plan_optimal(const ProbeProblem& problem, Progress progress) {
   const bool ripple = problem.objective == ProbeObjective::ripple;
   const double share = ripple ? 0.2 : 1;
-  ProgressScope scope(progress, "optimal", share, share);
+  ProgressScope scope(progress.part(share, share), "optimal");
   ProbeMotion best = shortest(
       problem, [&](double f) { progress.report("optimal", share * f, {}); }, scope);
   ProbeMotion stops = plan_stops(problem, scope);

@@ -11,14 +11,13 @@
 /// less. The problem has local optima; the search starts from a slow motion through the points
 /// (core/probe/optimal/start.hpp). Problems that differ by the scale of time alone have motions that differ by that
 /// scale. Cost: linear in the points; a few hundred cells take 0.1 s, 10 000 points some seconds.
+#include "core/base/progress.hpp"
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
 
-class Progress;
-
 /// Plans the motion. Reports `progress` at every iteration; throws what it throws.
-ProbeMotion plan_optimal(const ProbeProblem& problem, Progress& progress);
+ProbeMotion plan_optimal(const ProbeProblem& problem, Progress progress);
 
 }  // namespace bahnwerk

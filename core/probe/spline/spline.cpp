@@ -131,8 +131,8 @@ ProbeMotion splines_and_rests(const ProbeProblem& given, ProgressScope& scope) {
 
 }  // namespace
 
-ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress) {
-  ProgressScope scope(progress, "spline", 0, 1);
+ProbeMotion plan_spline(const ProbeProblem& problem, Progress progress) {
+  ProgressScope scope(progress, "spline");
   scope.report();
   const ProbeMotion planned = splines_and_rests(problem, scope);
   ProbeMotion plan = within_limits(problem, slowed(planned, 1), scope);  // slowed motions land

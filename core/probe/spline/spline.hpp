@@ -17,14 +17,13 @@
 /// divisions in turn have left more than half of, and everywhere after ten.
 ///
 /// Cost: O(points log points) at worst, some 50 µs per point and plan.
+#include "core/base/progress.hpp"
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
 
-class Progress;
-
 /// Plans the motion. Throws what progress throws.
-ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress);
+ProbeMotion plan_spline(const ProbeProblem& problem, Progress progress);
 
 }  // namespace bahnwerk

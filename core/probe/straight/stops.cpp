@@ -30,8 +30,8 @@ ProbeMotion plan_stops(const ProbeProblem& problem, ProgressScope& progress) {
       [&](const ProbeProblem& eased) { return write_stops(eased, row_end, progress); }, progress);
 }
 
-ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress) {
-  ProgressScope scope(progress, "stops", 0, 1);
+ProbeMotion plan_stops(const ProbeProblem& problem, Progress progress) {
+  ProgressScope scope(progress, "stops");
   return plan_stops(problem, scope);
 }
 
@@ -41,7 +41,7 @@ double stops_duration(const ProbeProblem& problem) {
   for (std::size_t i = 0; i + 1 < problem.points.size(); i = row_end[i])
     sum += rest_to_rest_duration(problem, i, row_end[i]);
   if (!phases_may_blur(problem, sum)) return sum;
-  SilentProgress silent;
+  Progress silent;
   return plan_stops(problem, silent).duration();
 }
 

@@ -3,16 +3,16 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
 
-class Progress;
 class ProgressScope;
 
 /// Rests at every point but for those in a row (straight_rows()). O(points). Throws what progress throws.
-ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress);
+ProbeMotion plan_stops(const ProbeProblem& problem, Progress progress);
 ProbeMotion plan_stops(const ProbeProblem& problem, ProgressScope& progress);
 /// Returns that motion for rows as straight_rows() has them, without regard to the rounding of times that plan_stops()
 /// sees to (core/probe/lasting_phases.hpp).

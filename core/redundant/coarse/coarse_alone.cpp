@@ -12,30 +12,29 @@ namespace {
 
 constexpr double margin = 1e-9;  // share of all limits that is left to rounding
 
-TimeLaw law_of(const PathTask& path, bool jerk, const RedundancyOptions& options, Progress& progress, double at) {
+TimeLaw law_of(const PathTask& path, bool jerk, const RedundancyOptions& options, Progress progress) {
   if (jerk) {
     JerkLimitedOptions law;
     law.corner_angle = options.corner_angle;
-    return plan_jerk_limited(path, law, progress, at, at).law;
+    return plan_jerk_limited(path, law, progress).law;
   }
   AccelerationLimitedOptions law;
   law.corner_angle = options.corner_angle;
   law.keep_reserve = options.keep_reserve;
   law.braking_reserve = options.braking_reserve;
-  return plan_acceleration_limited(path, law, progress, at, at).law;
+  return plan_acceleration_limited(path, law, progress).law;
 }
 
 }  // namespace
 
-RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                   double at) {
+RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress progress) {
   // The fine axes stand, so the coarse ones take small steps of the tool's velocity as those of any machine do.
   const Machine coarse = coarse_machine(task.machine, 1 - margin);
   const PathTask path{*task.path, coarse, task.feeds, task.rests, task.dwells};
   const bool jerk = task.machine.limits_jerk();
   RedundancyResult alone;
-  alone.head = std::make_shared<const PathMotion>(
-      task.path, with_dwells(law_of(path, jerk, options, progress, at), path, progress, at));
+  alone.head =
+      std::make_shared<const PathMotion>(task.path, with_dwells(law_of(path, jerk, options, progress), path, progress));
   alone.coarse = alone.head;
   alone.fastest = alone.head->duration();
   alone.coarse_jerk_limited = jerk;

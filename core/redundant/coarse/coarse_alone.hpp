@@ -7,7 +7,6 @@ namespace bahnwerk {
 
 /// Plans the coarse axes alone, with limited jerk if the machine limits it. Cost: that of the planner of time laws.
 /// Throws what it throws.
-RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                   double at);
+RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress progress);
 
 }  // namespace bahnwerk

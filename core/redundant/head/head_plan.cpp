@@ -48,7 +48,7 @@ std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
 }  // namespace
 
 template <std::size_t order>
-HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress,
+HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress progress,
                           const HeadReserve& reserve)
     : task_(task),
       corner_angle_(corner_angle),

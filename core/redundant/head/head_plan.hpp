@@ -5,13 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/redundant/head/slower_sections.hpp"
 #include "core/redundant/joint/joint_task.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// How far a smoother head stays below the summed limits, so that the coarse axes need less acceleration.
 struct HeadReserve {
@@ -29,7 +28,7 @@ class HeadPlan {
  public:
   /// Plans the head with `share` (0 … 1) of the summed limits and derives the section limits of straight sections.
   /// `corner_angle` is in rad. Throws as the planners of time laws do.
-  HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress,
+  HeadPlan(const JointTask& task, double corner_angle, double share, Progress progress,
            const HeadReserve& reserve = {});
   /// Returns a head with the given reserve that is nowhere quicker than the section limits of this plan.
   std::shared_ptr<const PathMotion> smoother_head(double share, const HeadReserve& reserve) const;
@@ -68,7 +67,7 @@ class HeadPlan {
 
   const JointTask& task_;
   double corner_angle_;
-  Progress& progress_;
+  Progress progress_;
   Machine limits_;
   SectionLimits section_limits_;
   TimeLaw base_;                             // law with the task's feeds

@@ -60,19 +60,18 @@ void slow(SplitPart& part, RedundancyIteration& pass, double factor) {
 }  // namespace
 
 AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions& options,
-                             const IterativeOptions& constants, Progress& progress, double from, double to)
+                             const IterativeOptions& constants, Progress progress)
     : task_(task),
       options_(options),
       constants_(constants),
-      scope_(progress, "planning", from + 0.2 * (to - from), to),
+      scope_(progress.part(0.2, 1), "planning"),
       jerk_(task.machine.limits_jerk()),
       may_keep_(!jerk_ && options.approximation == CoarseApproximation::least_squares &&
                 options.smoothing == CoarseSmoothing::none),
       machine_(first_limits(task.machine)),
       first_feeds_(first_feeds(task)),
-      sections_(task, options, machine_, first_feeds_, progress, from, from + 0.1 * (to - from)),
-      alone_(task, options, coarse_machine(task.machine, 1), task.feeds, progress, from + 0.1 * (to - from),
-             from + 0.2 * (to - from), sections_.width()) {
+      sections_(task, options, machine_, first_feeds_, progress.part(0, 0.1)),
+      alone_(task, options, coarse_machine(task.machine, 1), task.feeds, progress.part(0.1, 0.2), sections_.width()) {
   const double spacing = task.machine.cycle_time * options.thinning;
   for (std::size_t k = 0; k < axes(); ++k) {
     if (!(tolerance(k, spacing, machine_.axes[k].velocity) > least_tolerance * task.machine.axes[k].stroke)) {

@@ -49,7 +49,7 @@ class AdaptiveSplit {
   /// All references must outlive this object. Throws InvalidInput if thinning leaves nothing of the stroke, and what
   /// the head's planners throw.
   AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions& options, const IterativeOptions& constants,
-                Progress& progress, double from, double to);
+                Progress progress);
 
   /// Tells whether samples at every cycle leave enough of every stroke for the fit; without that solve() is not called.
   bool resolves_samples() const { return resolves_samples_; }

@@ -21,19 +21,18 @@ bool limits_jerk(const Machine& machine) {
 }  // namespace
 
 HeadSections::HeadSections(const RedundancyTask& task, const RedundancyOptions& options, const Machine& machine,
-                           const std::vector<double>& feeds, Progress& progress, double from, double to, double width)
-    : task_(task), options_(options), progress_(progress), at_(to), width_(width > 0 ? width : 1) {
+                           const std::vector<double>& feeds, Progress progress, double width)
+    : task_(task), options_(options), progress_(progress), width_(width > 0 ? width : 1) {
   const PathTask whole{*task.path, machine, feeds, task.rests};
-  ProgressScope scope(progress, "planning", from, from);
+  ProgressScope scope(progress.part(0, 0), "planning");
   begin_ = find_sections(whole, options.corner_angle, scope).begin;
-  const double middle = from + 0.5 * (to - from);
-  TimeLaw law = plan(whole, progress, from, middle);
+  TimeLaw law = plan(whole, progress.part(0, 0.5));
   if (!(width > 0) && !limits_jerk(machine)) {
     const double cycles = law.duration() / task.machine.cycle_time;
     width_ = std::clamp(static_cast<double>(law.pieces().size()) / (pieces_per_cycle * cycles), 1.0, widest);
     if (width_ > 1) {
       law = {};  // gives its memory to the next one
-      law = plan(whole, progress, middle, to);
+      law = plan(whole, progress.part(0.5, 1));
     }
   }
   laws_.resize(size());
@@ -50,23 +49,23 @@ std::size_t HeadSections::section_of(std::size_t segment) const {
   return static_cast<std::size_t>(std::upper_bound(begin_.begin(), begin_.end() - 1, segment) - begin_.begin()) - 1;
 }
 
-TimeLaw HeadSections::plan(const PathTask& task, Progress& progress, double from, double to) const {
+TimeLaw HeadSections::plan(const PathTask& task, Progress progress) const {
   if (limits_jerk(task.machine)) {
     JerkLimitedOptions o;
     o.corner_angle = options_.corner_angle;
-    return plan_jerk_limited(task, o, progress, from, to).law;
+    return plan_jerk_limited(task, o, progress).law;
   }
   AccelerationLimitedOptions o;
   o.corner_angle = options_.corner_angle;
   o.keep_reserve = options_.keep_reserve;
   o.braking_reserve = options_.braking_reserve;
   o.width = width_;
-  return plan_acceleration_limited(task, o, progress, from, to).law;
+  return plan_acceleration_limited(task, o, progress).law;
 }
 
 void HeadSections::replan(std::size_t section, const Machine& machine, const std::vector<double>& feeds) {
   laws_[section] = section_law(*task_.path, begin_[section], begin_[section + 1], machine, feeds,
-                               [&](const PathTask& task) { return plan(task, progress_, at_, at_); });
+                               [&](const PathTask& task) { return plan(task, progress_.part(1, 1)); });
 }
 
 void HeadSections::append_dwells(TimeLaw& law, std::size_t segment) const {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
@@ -19,15 +20,13 @@
 
 namespace bahnwerk {
 
-class Progress;
-
 class HeadSections {
  public:
   /// Plans all sections with the limits of `machine` and `feeds`, mm/s; with limited jerk if `machine` limits it.
   /// `task` and `options` must outlive this object. `width` is that of cells in units of the usual one; 0: it is
   /// determined, with a second plan unless it is 1. Throws what the planners throw.
   HeadSections(const RedundancyTask& task, const RedundancyOptions& options, const Machine& machine,
-               const std::vector<double>& feeds, Progress& progress, double from, double to, double width = 0);
+               const std::vector<double>& feeds, Progress progress, double width = 0);
 
   double width() const { return width_; }
   std::size_t size() const { return begin_.size() - 1; }
@@ -44,13 +43,12 @@ class HeadSections {
   double duration(std::size_t first, std::size_t last) const;
 
  private:
-  TimeLaw plan(const PathTask& task, Progress& progress, double from, double to) const;
+  TimeLaw plan(const PathTask& task, Progress progress) const;
   void append_dwells(TimeLaw& law, std::size_t segment) const;
 
   const RedundancyTask& task_;
   const RedundancyOptions& options_;
-  Progress& progress_;
-  double at_;         // progress reported while sections are planned again
+  Progress progress_;
   double width_ = 1;  ///< width of the cells, in units of the usual one
   std::vector<std::size_t> begin_;
   std::vector<TimeLaw> laws_;  ///< per section, with path lengths of the whole path

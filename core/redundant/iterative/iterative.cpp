@@ -60,12 +60,12 @@ class Planner {
  public:
   /// Plans `less`, which has the task's limits or smaller ones.
   Planner(const RedundancyTask& task, RedundancyTask less, const RedundancyOptions& options,
-          const IterativeOptions& constants, Progress& progress, double from, double to)
+          const IterativeOptions& constants, Progress progress)
       : task_(task),
         less_(std::move(less)),
         options_(options),
         constants_(constants),
-        split_(less_, options, constants, progress, from, to) {}
+        split_(less_, options, constants, progress) {}
 
   /// Searches a motion. Returns the reason if there is none.
   std::optional<NoPlan> find() {
@@ -212,15 +212,14 @@ class Planner {
 }  // namespace
 
 Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
-                                                  const IterativeOptions& constants, Progress& progress, double from,
-                                                  double to) {
+                                                  const IterativeOptions& constants, Progress progress) {
   check(task, options);
   const RedundancyTask less = resolved(task, options);
   NoPlan why_not = NoPlan::no_split;
   // Limits that fall by and by may end where others would not: a motion with less acceleration is one, too.
   for (const Share& share : shares) {
-    Planner planner(task, with_less(less, share.value), options, constants, progress, from, to);
-    from = to;
+    Planner planner(task, with_less(less, share.value), options, constants, progress);
+    progress = progress.part(1, 1);
     if (const std::optional<NoPlan> none = planner.find()) {
       why_not = *none;
       continue;
@@ -233,8 +232,8 @@ Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, co
 }
 
 Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
-                                                  Progress& progress, double from, double to) {
-  return plan_iterative(task, options, IterativeOptions(), progress, from, to);
+                                                  Progress progress) {
+  return plan_iterative(task, options, IterativeOptions(), progress);
 }
 
 }  // namespace bahnwerk

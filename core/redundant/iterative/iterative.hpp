@@ -11,22 +11,20 @@
 ///
 /// The motion is not the fastest one, because the head never gets more than the fine axes' acceleration. Cost:
 /// O(samples) per iteration; docs/methods/coarse_fine_iterative.md lists times.
+#include "core/base/progress.hpp"
 #include "core/redundant/iterative/adaptive_split.hpp"
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk {
 
-class Progress;
-
-/// Plans the task with the given constants; progress runs from `from` to `to`. Returns NoPlan if no split is valid
+/// Plans the task with the given constants. Returns NoPlan if no split is valid
 /// before the head gets slower than the coarse axes are alone. Throws InvalidInput if degree and knots
 /// do not make the coarse motion smooth enough, if thinning leaves nothing of the stroke, and where the head's planner
 /// does; Stopped.
 Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
-                                                  const IterativeOptions& constants, Progress& progress,
-                                                  double from = 0, double to = 1);
+                                                  const IterativeOptions& constants, Progress progress);
 /// Plans with the constants of the source. Throws as above.
 Expected<RedundancyResult, NoPlan> plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
-                                                  Progress& progress, double from, double to);
+                                                  Progress progress);
 
 }  // namespace bahnwerk

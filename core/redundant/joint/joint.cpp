@@ -46,8 +46,8 @@ bool evened(CoarseFineMachine& machine, double share) {
 template <std::size_t order>
 class Variants {
  public:
-  Variants(const JointTask& task, const JointOptions& options, Progress& progress, double from, double to)
-      : task_(task), options_(options), progress_(progress), from_(from), to_(to) {}
+  Variants(const JointTask& task, const JointOptions& options, Progress progress)
+      : task_(task), options_(options), progress_(progress) {}
 
   Expected<JointResult, NoPlan> best() {
     static constexpr Variant variants[] = {
@@ -109,7 +109,7 @@ class Variants {
       return;
     JointOptions options = options_;
     options.coarse_head = variant.coarse_head;
-    auto other = std::make_unique<JointPlanner<order>>(std::move(task), options, progress_, from_, to_);
+    auto other = std::make_unique<JointPlanner<order>>(std::move(task), options, progress_);
     head_alone_ = std::min(head_alone_, other->head_alone());
     const Expected<bool, NoPlan> found =
         variant.closed ? other->find_closed() : other->find(best_ ? best_->quickest() : unlimited);
@@ -122,8 +122,7 @@ class Variants {
 
   const JointTask& task_;
   const JointOptions& options_;
-  Progress& progress_;
-  double from_, to_;
+  Progress progress_;
   std::unique_ptr<JointPlanner<order>> best_;
   NoPlan why_not_ = NoPlan::no_fine_axis;
   double head_alone_ = unlimited;  // s, least duration of a head under its own limits
@@ -139,14 +138,13 @@ double stretch_of(double smoothness) {
   return stretches[i] + (at - static_cast<double>(i)) * (stretches[i + 1] - stretches[i]);
 }
 
-Expected<JointResult, NoPlan> plan_joint(const JointTask& task, const JointOptions& options, Progress& progress,
-                                         double from, double to) {
+Expected<JointResult, NoPlan> plan_joint(const JointTask& task, const JointOptions& options, Progress progress) {
   const bool jerk = task.machine.limits_jerk();
   for (const CoarseFineAxis& axis : task.machine.axes)
     if ((axis.coarse.jerk < unlimited) != jerk || (axis.fine.jerk < unlimited) != jerk)
       throw std::invalid_argument("the jerk is limited of all axes or of none");
-  if (jerk) return Variants<3>(task, options, progress, from, to).best();
-  return Variants<2>(task, options, progress, from, to).best();
+  if (jerk) return Variants<3>(task, options, progress).best();
+  return Variants<2>(task, options, progress).best();
 }
 
 }  // namespace bahnwerk

@@ -19,6 +19,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/axis_path.hpp"
 #include "core/motion/axes/motion.hpp"
 #include "core/motion/axes/path_task.hpp"
@@ -28,8 +29,6 @@
 #include "core/redundant/no_plan.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct JointOptions {
   double smoothness = 0;  ///< 0 … 1: how much longer the motion may be, see stretch_of()
@@ -81,7 +80,6 @@ struct JointResult {
 ///
 /// Returns NoPlan if no axis has a fine one that moves, or if no variant has a plan. Throws InvalidInput as the head's
 /// planner does, Stopped, and std::invalid_argument if only some axes have a limited jerk.
-Expected<JointResult, NoPlan> plan_joint(const JointTask& task, const JointOptions& options, Progress& progress,
-                                         double from = 0, double to = 1);
+Expected<JointResult, NoPlan> plan_joint(const JointTask& task, const JointOptions& options, Progress progress);
 
 }  // namespace bahnwerk

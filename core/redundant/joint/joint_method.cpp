@@ -7,7 +7,7 @@
 namespace bahnwerk {
 
 Expected<RedundancyResult, NoPlan> plan_joint_method(const RedundancyTask& task, const RedundancyOptions& options,
-                                                     Progress& progress, double from, double to) {
+                                                     Progress progress) {
   JointOptions given;
   given.smoothness = options.smoothness;
   given.stretch = options.stretch;
@@ -16,7 +16,7 @@ Expected<RedundancyResult, NoPlan> plan_joint_method(const RedundancyTask& task,
   given.bound = task.bound;
   given.corner_angle = options.corner_angle;
   Expected<JointResult, NoPlan> found =
-      plan_joint({task.path, task.machine, task.feeds, task.rests, task.dwells}, given, progress, from, to);
+      plan_joint({task.path, task.machine, task.feeds, task.rests, task.dwells}, given, progress);
   if (!found) return found.reason();
   RedundancyResult result;
   result.head = std::move(found->head);

@@ -4,8 +4,8 @@
 
 namespace bahnwerk {
 
-/// Plans `task` with the joint planner; progress runs from `from` to `to`. Throws what plan_joint() throws.
+/// Plans `task` with the joint planner. Throws what plan_joint() throws.
 Expected<RedundancyResult, NoPlan> plan_joint_method(const RedundancyTask& task, const RedundancyOptions& options,
-                                                     Progress& progress, double from, double to);
+                                                     Progress progress);
 
 }  // namespace bahnwerk

@@ -27,11 +27,10 @@ bool within_ranges(const LoneMove& move, const CoarseFineMachine& machine) {
 }  // namespace
 
 template <std::size_t order>
-JointPlanner<order>::JointPlanner(JointTask task, const JointOptions& options, Progress& progress, double from,
-                                  double to)
+JointPlanner<order>::JointPlanner(JointTask task, const JointOptions& options, Progress progress)
     : task_(std::move(task)),
       options_(options),
-      scope_(progress, "planning", from, to),
+      scope_(progress, "planning"),
       plan_(task_, options.corner_angle, joint_head_share<order>, progress),
       splits_(task_, options.cell, [this] { scope_.report(); }),
       head_(options.coarse_head ? plan_.coarse_alone() : plan_.motion()),

@@ -20,8 +20,8 @@ template <std::size_t order>
 class JointPlanner {
  public:
   /// Plans the head under the summed limits, or under those of the coarse axes if `options.coarse_head`; throws as its
-  /// planner does. `progress` must outlive this object; it runs from `from` to `to`.
-  JointPlanner(JointTask task, const JointOptions& options, Progress& progress, double from, double to);
+  /// planner does.
+  JointPlanner(JointTask task, const JointOptions& options, Progress progress);
 
   /// Searches the quickest motion. Returns false without a search if the head by itself already takes `below` s or
   /// longer, and the reason if no head was found that the coarse axes can follow.

@@ -6,7 +6,7 @@
 namespace bahnwerk {
 
 Expected<RedundancyResult, NoPlan> plan_filter(const RedundancyTask& task, const RedundancyOptions& options,
-                                               Progress& progress, double from, double to) {
+                                               Progress progress) {
   const std::size_t taps = options.taps;
   FilterSearch search;
   // The rests are two samples longer than the group delay, because the spline is at rest where three control points are
@@ -15,7 +15,7 @@ Expected<RedundancyResult, NoPlan> plan_filter(const RedundancyTask& task, const
   search.filter = [&](const std::vector<double>& x, double step) {
     return filtered(x, low_pass(taps, options.cutoff, step));
   };
-  return search_reference(task, options, search, progress, from, to);
+  return search_reference(task, options, search, progress);
 }
 
 }  // namespace bahnwerk

@@ -6,9 +6,9 @@
 
 namespace bahnwerk {
 
-/// Plans with the options' `taps` and `cutoff`; progress runs from `from` to `to`. Cost: 5 to 30 plans of the head.
+/// Plans with the options' `taps` and `cutoff`. Cost: 5 to 30 plans of the head.
 /// Throws as search_reference() does.
 Expected<RedundancyResult, NoPlan> plan_filter(const RedundancyTask& task, const RedundancyOptions& options,
-                                               Progress& progress, double from, double to);
+                                               Progress progress);
 
 }  // namespace bahnwerk

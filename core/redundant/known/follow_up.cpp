@@ -44,9 +44,9 @@ void add_segment(Box& box, const AxisPath& path, std::size_t i, double stroke, P
 
 }  // namespace
 
-FollowUp::FollowUp(const AxisPath& path, const Contour& contour, const CoarseFineMachine& machine, Progress& progress)
+FollowUp::FollowUp(const AxisPath& path, const Contour& contour, const CoarseFineMachine& machine, Progress progress)
     : axes_(path.axes()), run_(path.size()) {
-  ProgressScope scope(progress, "planning", 0, 0);
+  ProgressScope scope(progress.part(0, 0), "planning");
   for (const Block& block : contour.blocks) {
     if (block.first == block.last) continue;
     const bool cuts = block.mode == Mode::cut;
@@ -109,7 +109,7 @@ AxisJet FollowUp::at(std::size_t segment, double s, const AxisJet& tool) const {
 }
 
 Expected<RedundancyResult, NoPlan> plan_follow_up(const RedundancyTask& task, const RedundancyOptions& options,
-                                                  Progress& progress, double from, double to) {
+                                                  Progress progress) {
   const auto split = std::make_shared<const FollowUp>(*task.path, *task.contour, task.machine, progress);
   RedundancyTask stops = task;
   std::size_t fine = 0, coarse = 0;
@@ -121,7 +121,7 @@ Expected<RedundancyResult, NoPlan> plan_follow_up(const RedundancyTask& task, co
     for (std::size_t i = run.first + 1; i < run.last; ++i)
       if (stops_at(task.path->tool(), i, smallest_step)) stops.rests[i] = true;
   }
-  Expected<RedundancyResult, NoPlan> result = plan_split(stops, split, unlimited, options, progress, from, to);
+  Expected<RedundancyResult, NoPlan> result = plan_split(stops, split, unlimited, options, progress);
   if (!result) return result;
   result->notes.push_back("Of " + std::to_string(fine + coarse) + " runs of cuts the fine axes cut " +
                           std::to_string(fine) + " alone, the coarse axes " + std::to_string(coarse) + ".");

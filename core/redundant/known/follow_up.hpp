@@ -26,7 +26,7 @@ class FollowUp final : public CoarsePath {
     double s0 = 0, length = 0;
   };
   /// Divides `path`, the path of `contour`, into runs.
-  FollowUp(const AxisPath& path, const Contour& contour, const CoarseFineMachine& machine, Progress& progress);
+  FollowUp(const AxisPath& path, const Contour& contour, const CoarseFineMachine& machine, Progress progress);
   bool linear(std::size_t) const override { return true; }
   AxisJet at(std::size_t segment, double s, const AxisJet& tool) const override;
   const std::vector<Run>& runs() const { return runs_; }
@@ -37,8 +37,8 @@ class FollowUp final : public CoarsePath {
   std::vector<std::size_t> run_;  ///< index of the run of each segment
 };
 
-/// Plans with rests at all borders between runs; progress runs from `from` to `to`. Throws as plan_split() does.
+/// Plans with rests at all borders between runs. Throws as plan_split() does.
 Expected<RedundancyResult, NoPlan> plan_follow_up(const RedundancyTask& task, const RedundancyOptions& options,
-                                                  Progress& progress, double from, double to);
+                                                  Progress progress);
 
 }  // namespace bahnwerk

@@ -110,8 +110,8 @@ CoarseCurve::Ends ends_of(const CoarseFineMachine& machine) {
 double pitch_of(const AxisPath& path, int step) { return path.length() * std::pow(2.0, -0.5 * step); }
 
 /// Returns the first pitch whose curve keeps the fine axes within their strokes.
-int widest_step(const AxisPath& path, const CoarseFineMachine& machine, Progress& progress) {
-  ProgressScope scope(progress, "planning", 0, 0);
+int widest_step(const AxisPath& path, const CoarseFineMachine& machine, Progress progress) {
+  ProgressScope scope(progress.part(0, 0), "planning");
   double stroke = machine.axes.front().stroke;
   for (const CoarseFineAxis& axis : machine.axes) stroke = std::fmin(stroke, axis.stroke);
   // |x(s) − x_c(s)| ≤ Σ B_i |s − s_i| ≤ √(Σ B_i (s − s_i)²) = Δ √((degree + 1)/12) = Δ/√2.
@@ -125,13 +125,13 @@ int widest_step(const AxisPath& path, const CoarseFineMachine& machine, Progress
 }  // namespace
 
 std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const CoarseFineMachine& machine,
-                                                Progress& progress) {
+                                                Progress progress) {
   return std::make_shared<const CoarseCurve>(path, pitch_of(path, widest_step(path, machine, progress)),
                                              ends_of(machine));
 }
 
 Expected<RedundancyResult, NoPlan> plan_geometric(const RedundancyTask& task, const RedundancyOptions& options,
-                                                  Progress& progress, double from, double to) {
+                                                  Progress progress) {
   const AxisPath& path = *task.path;
   std::optional<RedundancyResult> best;
   int worse = 0;
@@ -139,11 +139,10 @@ Expected<RedundancyResult, NoPlan> plan_geometric(const RedundancyTask& task, co
     const double cells = std::fmin(cells_per_pitch, most_cells * pitch_of(path, step) / path.length());
     if (cells < least_cells_per_pitch) break;
     const auto curve = std::make_shared<const CoarseCurve>(path, pitch_of(path, step), ends_of(task.machine));
-    Expected<RedundancyResult, NoPlan> found =
-        plan_split(task, curve, curve->pitch() / cells, options, progress, from, to);
+    Expected<RedundancyResult, NoPlan> found = plan_split(task, curve, curve->pitch() / cells, options, progress);
     worse = !found || (best && !(found->head->duration() < best->head->duration())) ? worse + 1 : 0;
     if (worse == 0) best = *std::move(found);
-    from = to;
+    progress = progress.part(1, 1);
   }
   if (best) return *std::move(best);
   return NoPlan::no_curve;

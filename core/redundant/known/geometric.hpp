@@ -43,11 +43,11 @@ class CoarseCurve final : public CoarsePath {
 /// Returns the coarse curve with the longest pitch that keeps the fine axes within their strokes. Its ends are centred
 /// if a fine axis has to be in the middle of its stroke there.
 std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const CoarseFineMachine& machine,
-                                                Progress& progress);
+                                                Progress progress);
 
-/// Plans head and coarse axes with the best curve; progress runs from `from` to `to`. Usually two plans of all axes are
+/// Plans head and coarse axes with the best curve. Usually two plans of all axes are
 /// made. Returns no_curve where none is found; along paths of more than 5 000 pitches none is searched.
 Expected<RedundancyResult, NoPlan> plan_geometric(const RedundancyTask& task, const RedundancyOptions& options,
-                                                  Progress& progress, double from, double to);
+                                                  Progress progress);
 
 }  // namespace bahnwerk

@@ -71,7 +71,7 @@ Prefilter prefilter(double coarse_lag, double fine_lag, double cycle_time) {
 }
 
 Expected<RedundancyResult, NoPlan> plan_lag_compensation(const RedundancyTask& task, const RedundancyOptions& options,
-                                                         Progress& progress, double from, double to) {
+                                                         Progress progress) {
   const double cycle = task.machine.cycle_time, lag = options.coarse_lag;
   double stroke = 0;
   for (const CoarseFineAxis& axis : task.machine.axes) stroke = std::fmax(stroke, axis.stroke);
@@ -83,7 +83,7 @@ Expected<RedundancyResult, NoPlan> plan_lag_compensation(const RedundancyTask& t
     std::fill(y.end() - 3, y.end(), x.back());
     return y;
   };
-  Expected<RedundancyResult, NoPlan> result = search_reference(task, options, search, progress, from, to);
+  Expected<RedundancyResult, NoPlan> result = search_reference(task, options, search, progress);
   if (!result) return result;
   const auto cells = static_cast<std::size_t>(std::ceil(result->head->duration() / cycle));
   for (const bool prefilter : {false, true})

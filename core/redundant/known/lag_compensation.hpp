@@ -31,9 +31,9 @@ struct Prefilter {
 /// Returns the prefilter for the lags and the cycle time, all in s.
 Prefilter prefilter(double coarse_lag, double fine_lag, double cycle_time);
 
-/// Plans with the options' lags and simulates the drives; progress runs from `from` to `to`. Throws as
+/// Plans with the options' lags and simulates the drives. Throws as
 /// search_reference() does.
 Expected<RedundancyResult, NoPlan> plan_lag_compensation(const RedundancyTask& task, const RedundancyOptions& options,
-                                                         Progress& progress, double from, double to);
+                                                         Progress progress);
 
 }  // namespace bahnwerk

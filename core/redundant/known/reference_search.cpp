@@ -27,8 +27,7 @@ double fallen(double share, double use) {
 }  // namespace
 
 Expected<RedundancyResult, NoPlan> search_reference(const RedundancyTask& task, const RedundancyOptions& options,
-                                                    const FilterSearch& search, Progress& progress, double from,
-                                                    double to) {
+                                                    const FilterSearch& search, Progress progress) {
   const std::size_t axes = task.machine.axes.size();
   RedundancyTask stops = task;
   stops.rests.front() = stops.rests.back() = true;
@@ -38,7 +37,7 @@ Expected<RedundancyResult, NoPlan> search_reference(const RedundancyTask& task, 
   law_options.corner_angle = options.corner_angle;
   law_options.keep_reserve = options.keep_reserve;
   law_options.braking_reserve = options.braking_reserve;
-  ProgressScope scope(progress, "planning", from, to);
+  ProgressScope scope(progress, "planning");
   RedundancyResult result;
   double velocity = 1, acceleration = 1;
   for (int pass = 0; pass < most_passes; ++pass) {
@@ -46,7 +45,7 @@ Expected<RedundancyResult, NoPlan> search_reference(const RedundancyTask& task, 
     for (AxisLimits& axis : machine.axes) axis.velocity *= velocity, axis.acceleration *= acceleration;
     const PathTask path{*task.path, machine, stops.feeds, stops.rests, stops.dwells};
     TimeLaw law =
-        with_dwells(plan_acceleration_limited(path, law_options, progress, from, from).law, path, progress, from);
+        with_dwells(plan_acceleration_limited(path, law_options, progress.part(0, 0)).law, path, progress.part(0, 0));
     result.head = std::make_shared<const PathMotion>(task.path, std::move(law));
     const double moving = result.head->duration() - search.lead - search.tail;
     if (pass == 0) result.fastest = moving;

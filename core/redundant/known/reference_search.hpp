@@ -25,7 +25,6 @@ struct FilterSearch {
 
 /// Returns the first valid split; no_reference after 200 passes. Throws what the head's planner throws.
 Expected<RedundancyResult, NoPlan> search_reference(const RedundancyTask& task, const RedundancyOptions& options,
-                                                    const FilterSearch& search, Progress& progress, double from,
-                                                    double to);
+                                                    const FilterSearch& search, Progress progress);
 
 }  // namespace bahnwerk

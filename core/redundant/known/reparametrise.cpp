@@ -241,21 +241,19 @@ class Retiming {
 
 }  // namespace
 
-RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& task, Progress& progress, double from,
-                                double to) {
+RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& task, Progress progress) {
   std::vector<TimedPath::SmoothInterval> intervals = TimedPath::smooth_intervals(*found.head, *found.coarse);
   const Path tool = TimedPath::tool_path(intervals);
   const TimedPath path(tool, *found.head, *found.coarse, std::move(intervals));
   const std::vector<double> feeds = rates(path, found.head->law(), task);
-  const double half = from + 0.5 * (to - from);
-  ProgressScope scope(progress, "planning", half, to);
+  Progress planning = progress.part(0, 0.5);
+  ProgressScope scope(progress.part(0.5, 1), "planning");
   Retiming timing(found, path, task, scope);
   std::optional<Retimed> whole;
   for (double margin = first_margin; margin <= last_margin;) {
     const Machine machine = both_stages(task.machine, 1 - margin);
     const PathTask again{path, machine, feeds, std::vector<bool>(path.size() + 1, false)};
-    const TimeLaw rate =
-        with_moving_ends(plan_acceleration_limited(again, {}, progress, from, half).law, path, machine);
+    const TimeLaw rate = with_moving_ends(plan_acceleration_limited(again, {}, planning).law, path, machine);
     double use = timing.add(quicker_ranges(rate));
     if (!whole) {
       Retimed tried = Driver(found, path).run(rate, {}, scope);
@@ -267,7 +265,7 @@ RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& ta
     }
     if (use <= 1) break;
     margin = std::fmax(10 * margin, 1.2 * (use - 1));
-    from = half;
+    planning = progress.part(0.5, 0.5);
   }
   std::optional<Retimed> best;
   if (!timing.gains_nothing()) best = timing.result();

@@ -15,7 +15,6 @@ inline constexpr double fastest_rate = 50;  ///< largest rate dt_old/dt_new
 /// Returns `found` with the new time law under the limits of the task's machine, or `found` unchanged with a note if
 /// that is no shorter. Cost: the acceleration-limited planner over the pieces of both motions. Throws what that planner
 /// throws.
-RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& task, Progress& progress, double from,
-                                double to);
+RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& task, Progress progress);
 
 }  // namespace bahnwerk

@@ -21,8 +21,7 @@ constexpr double longest_piece = 0.5e-3;  // s, longest piece of the coarse moti
 
 Expected<RedundancyResult, NoPlan> plan_split(const RedundancyTask& task,
                                               const std::shared_ptr<const CoarsePath>& coarse, double longest_cell,
-                                              const RedundancyOptions& options, Progress& progress, double from,
-                                              double to) {
+                                              const RedundancyOptions& options, Progress progress) {
   const auto axes = std::make_shared<const SplitPath>(task.path, coarse);
   AccelerationLimitedOptions law_options;
   law_options.corner_angle = options.corner_angle;
@@ -35,10 +34,9 @@ Expected<RedundancyResult, NoPlan> plan_split(const RedundancyTask& task,
     const Machine machine = both_stages(task.machine, 1 - margin);
     const PathTask path{*axes, machine, task.feeds, task.rests, task.dwells};
     ++result.iterations;
-    const double half = from + 0.5 * (to - from);
-    TimeLaw law =
-        with_dwells(plan_acceleration_limited(path, law_options, progress, from, half).law, path, progress, half);
-    ProgressScope scope(progress, "planning", half, to);
+    TimeLaw law = with_dwells(plan_acceleration_limited(path, law_options, progress.part(0, 0.5)).law, path,
+                              progress.part(0.5, 0.5));
+    ProgressScope scope(progress.part(0.5, 1), "planning");
     const PathMotion motion(axes, law);
     result.coarse =
         std::make_shared<const SplineMotion>(hermite_motion(motion, 0, task.machine.axes.size(), longest_piece));

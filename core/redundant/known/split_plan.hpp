@@ -13,7 +13,6 @@ namespace bahnwerk {
 /// and Infeasible if limits are exceeded between its nodes even with 10 % lower limits.
 Expected<RedundancyResult, NoPlan> plan_split(const RedundancyTask& task,
                                               const std::shared_ptr<const CoarsePath>& coarse, double longest_cell,
-                                              const RedundancyOptions& options, Progress& progress, double from,
-                                              double to);
+                                              const RedundancyOptions& options, Progress progress);
 
 }  // namespace bahnwerk

@@ -114,14 +114,8 @@ void smooth(RedundancyResult& alone, const RedundancyTask& task, const Redundanc
 
 }  // namespace
 
-PlanChoice::PlanChoice(RedundancyTask task, const RedundancyOptions& options, Progress& progress, double from,
-                       double to)
-    : task_(std::move(task)),
-      options_(options),
-      progress_(progress),
-      from_(from),
-      to_(to),
-      rejected_(std::size(candidates), false) {
+PlanChoice::PlanChoice(RedundancyTask task, const RedundancyOptions& options, Progress progress)
+    : task_(std::move(task)), options_(options), progress_(progress), rejected_(std::size(candidates), false) {
   const auto replaced_by = [&](RedundancyMethod other, const char* note) {
     gave_way_.push_back({planner_name(options_.method), GivingWay::unsuited});
     notes_.emplace_back(note);
@@ -159,7 +153,7 @@ bool PlanChoice::plan_step(int step) {
     const std::optional<RedundancyTask> back = candidate.backwards ? reversed(task_) : std::nullopt;
     if (candidate.backwards && !back) continue;
     Expected<RedundancyResult, NoPlan> found = planned(candidate.planner, back ? *back : task_);
-    from_ = to_;
+    progress_ = progress_.part(1, 1);
     if (!found) {
       if (!why_not_) why_not_ = found.reason();
       if (!lost && found.reason() != NoPlan::no_fine_axis) lost = i;
@@ -183,20 +177,20 @@ Expected<RedundancyResult, NoPlan> PlanChoice::planned(CandidatePlanner planner,
   if (planner == coarse_axes) {
     RedundancyOptions law = options_;
     law.keep_reserve = false;  // as in the joint planner's plans
-    RedundancyResult alone = plan_coarse_alone(task, law, progress_, to_);
+    RedundancyResult alone = plan_coarse_alone(task, law, progress_.part(1, 1));
     if (options_.method == RedundancyMethod::joint) smooth(alone, task, options_);
     return alone;
   }
   if (planner == joint) {
     RedundancyOptions quickest = options_;
     quickest.compare = false;
-    return redundancy_row(RedundancyMethod::joint).plan(task, quickest, progress_, from_, to_);
+    return redundancy_row(RedundancyMethod::joint).plan(task, quickest, progress_);
   }
-  const double timing = planner == asked_timed_again ? from_ + timing_begins * (to_ - from_) : to_;
+  const double timing = planner == asked_timed_again ? timing_begins : 1;
   Expected<RedundancyResult, NoPlan> found =
-      redundancy_row(options_.method).plan(task, options_, progress_, from_, timing);
+      redundancy_row(options_.method).plan(task, options_, progress_.part(0, timing));
   if (!found || planner == asked) return found;
-  return reparametrised(*std::move(found), task, progress_, timing, to_);
+  return reparametrised(*std::move(found), task, progress_.part(timing, 1));
 }
 
 const char* PlanChoice::name(CandidatePlanner planner) const {
@@ -249,7 +243,7 @@ std::optional<std::string> PlanChoice::quicker_coarse_axes(double duration) {
   if (options_.method == RedundancyMethod::joint || (planner != asked && planner != asked_timed_again))
     return std::nullopt;
   if (task_.machine.limits_jerk() || !within_coarse_range(*task_.path, task_.machine)) return std::nullopt;
-  const double alone = plan_coarse_alone(task_, options_, progress_, to_).head->duration();
+  const double alone = plan_coarse_alone(task_, options_, progress_.part(1, 1)).head->duration();
   if (duration <= alone * (1 + quicker)) return std::nullopt;
   char note[160];
   std::snprintf(note, sizeof note,

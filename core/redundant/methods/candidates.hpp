@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Whose plan a candidate is: the method's that was asked for, after reparametrisation and before; the joint planner's
 /// where another method was asked for; that of the coarse axes alone.
@@ -23,8 +22,8 @@ enum class CandidatePlanner { asked_timed_again, asked, joint, coarse_axes };
 /// coarse axes alone among its own candidates.
 class PlanChoice {
  public:
-  /// `progress` must outlive this object; progress of the first plan runs from `from` to `to`.
-  PlanChoice(RedundancyTask task, const RedundancyOptions& options, Progress& progress, double from, double to);
+  /// The first plan takes `progress`; those after it stay at its end.
+  PlanChoice(RedundancyTask task, const RedundancyOptions& options, Progress progress);
 
   /// Plans the candidates of the next step that were not rejected, until there is a plan; returns false if there is
   /// none. Throws what the planners throw: InvalidInput, Stopped.
@@ -57,8 +56,7 @@ class PlanChoice {
 
   RedundancyTask task_;
   RedundancyOptions options_;  // with the method that fits the machine
-  Progress& progress_;
-  double from_, to_;
+  Progress progress_;
   int step_ = 0;
   std::vector<bool> rejected_;
   std::optional<Chosen> chosen_;

@@ -9,7 +9,7 @@ struct RedundancyRow {
   RedundancyMethod method;
   /// Returns the plan, or why there is none; it plans by itself, without another method. Throws InvalidInput, Stopped.
   Expected<RedundancyResult, NoPlan> (*plan)(const RedundancyTask& task, const RedundancyOptions& options,
-                                             Progress& progress, double from, double to);
+                                             Progress progress);
   bool limits_jerk;  ///< jerk limits of both axes hold where they are given
   bool every_axis;   ///< every coordinate has to have a fine axis
   bool centres;      ///< fine axes can be made to stand in the middle of their strokes at both ends

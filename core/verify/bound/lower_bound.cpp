@@ -97,10 +97,9 @@ double expected_nodes(BoundGrid<N>& grid, std::size_t segments, const Windows& w
 }
 
 template <int N>
-Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, double progress_from, double progress_to,
-               std::vector<SectionBound>* sections) {
+Bound bound_of(const PathTask& task, double corner_angle, Progress progress, std::vector<SectionBound>* sections) {
   const AxisPath& path = task.path;
-  ProgressScope stage_progress(progress, "bound", progress_from, progress_to);
+  ProgressScope stage_progress(progress, "bound");
   stage_progress.report();
   const std::vector<Joint> list = joints(path.tool(), &stage_progress);
   BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, stage_progress);
@@ -182,23 +181,21 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
 
 }  // namespace
 
-Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from,
-                  double progress_to, std::vector<SectionBound>* sections) {
+Bound lower_bound(const PathTask& task, double corner_angle, Progress progress, std::vector<SectionBound>* sections) {
   const std::size_t axes = task.path.axes();
   if (task.path.size() == 0) return {0, 0, "empty contour"};
-  Bound bound = axes <= 2   ? bound_of<2>(task, corner_angle, progress, progress_from, progress_to, sections)
-                : axes == 3 ? bound_of<3>(task, corner_angle, progress, progress_from, progress_to, sections)
-                : axes <= 5 ? bound_of<5>(task, corner_angle, progress, progress_from, progress_to, sections)
-                            : bound_of<max_axes>(task, corner_angle, progress, progress_from, progress_to, sections);
+  Bound bound = axes <= 2   ? bound_of<2>(task, corner_angle, progress, sections)
+                : axes == 3 ? bound_of<3>(task, corner_angle, progress, sections)
+                : axes <= 5 ? bound_of<5>(task, corner_angle, progress, sections)
+                            : bound_of<max_axes>(task, corner_angle, progress, sections);
   // The planned motion sums up its dwells one by one, with rounding.
   bound.value += task.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(task.dwells.size()));
   return bound;
 }
 
-Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
-                  double progress_from, double progress_to) {
+Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress progress) {
   const CartesianAxisPath path(contour.path, machine.dimension());
-  return lower_bound(contour_task(path, contour, machine), corner_angle, progress, progress_from, progress_to);
+  return lower_bound(contour_task(path, contour, machine), corner_angle, progress);
 }
 
 Check bound_check(const Bound& bound, double planned) {

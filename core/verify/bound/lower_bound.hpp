@@ -3,12 +3,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/axes/path_task.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Least duration of the path's segments [first, last) between two rests, s; without dwells.
 struct SectionBound {
@@ -76,12 +75,11 @@ struct SectionBound {
 ///
 /// Reports to `progress` every few ms and passes its exceptions on; throws UnreachablePose. `sections`, if given,
 /// receives the bounds of the sections, in order, whose sum (and the dwells) is the bound.
-Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
-                  double progress_to = 1, std::vector<SectionBound>* sections = nullptr);
+Bound lower_bound(const PathTask& task, double corner_angle, Progress progress,
+                  std::vector<SectionBound>* sections = nullptr);
 
 /// Computes the bound of a contour on a Cartesian machine.
-Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
-                  double progress_from = 0, double progress_to = 1);
+Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress progress);
 
 /// Returns check "bound", s: `value` is the bound, `limit` the planned duration. A plan that is shorter than its bound
 /// by more than 1e-9 of itself fails: one of the two is wrong.

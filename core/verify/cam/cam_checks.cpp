@@ -39,7 +39,7 @@ double largest(const std::vector<double>& c) {
 
 class CamVerifier {
  public:
-  CamVerifier(const LawToVerify& law, const CamToVerify& cam, Progress& progress, Verification& out)
+  CamVerifier(const LawToVerify& law, const CamToVerify& cam, Progress progress, Verification& out)
       : g_(cam.geometry), cam_(cam), progress_(progress), out_(out) {
     seconds_per_rad_ = law.cycle_duration / (2 * pi);
     const bool oscillates = g_.type == CamType::radial && g_.follower == FollowerType::oscillating;
@@ -341,7 +341,7 @@ class CamVerifier {
 
   const CamGeometry& g_;
   const CamToVerify& cam_;
-  Progress& progress_;
+  Progress progress_;
   Verification& out_;
   std::vector<Piece> pieces_;
   double seconds_per_rad_ = 0, turn_ = 1, roller_ = 0, pitch_ = 0, height_ = 0, swing_ = 0;
@@ -349,7 +349,7 @@ class CamVerifier {
 
 }  // namespace
 
-void verify_cam(const LawToVerify& law, const CamToVerify& cam, Progress& progress, Verification& out) {
+void verify_cam(const LawToVerify& law, const CamToVerify& cam, Progress progress, Verification& out) {
   CamVerifier(law, cam, progress, out).run();
 }
 

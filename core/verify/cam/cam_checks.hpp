@@ -7,13 +7,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/cam_profile/cam_geometry.hpp"
 #include "core/geometry/region/point.hpp"
 
 namespace bahnwerk {
 
-class Progress;
 struct LawToVerify;
 
 /// A published curve: polynomials of degree 5 over the cam's angle, deg; each begins where the one before ends.
@@ -43,6 +43,6 @@ struct CamToVerify {
 ///   cam force            the follower stays on the cam
 /// Tolerances: the geometry's, 1e-5 deg, 1e-4 of a radius or a stress. O(places) for places some 1000 times the root
 /// of 1e-3 mm/tolerance.
-void verify_cam(const LawToVerify& law, const CamToVerify& cam, Progress& progress, Verification& out);
+void verify_cam(const LawToVerify& law, const CamToVerify& cam, Progress progress, Verification& out);
 
 }  // namespace bahnwerk

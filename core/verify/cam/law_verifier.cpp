@@ -43,7 +43,7 @@ struct Worst {
 
 class Verifier {
  public:
-  Verifier(const MotionLawProblem& problem, const LawToVerify& law, Progress& progress)
+  Verifier(const MotionLawProblem& problem, const LawToVerify& law, Progress progress)
       : problem_(problem), law_(law), progress_(progress) {
     out_.passed = true;
   }
@@ -336,7 +336,7 @@ class Verifier {
 
   const MotionLawProblem& problem_;
   const LawToVerify& law_;
-  Progress& progress_;
+  Progress progress_;
   Verification out_;
   std::vector<std::size_t> first_piece_;
   double size_[orders] = {};
@@ -345,7 +345,7 @@ class Verifier {
 }  // namespace
 
 Verification verify_motion_law(const MotionLawProblem& problem, const LawToVerify& law, const SetpointSource& table,
-                               Progress& progress) {
+                               Progress progress) {
   return Verifier(problem, law, progress).run(table);
 }
 

@@ -6,13 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/cam/problem.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// A law as it is published.
 struct LawToVerify {
@@ -46,6 +45,6 @@ struct LawToVerify {
 /// of that size at most: the shorter a piece, the more its rounding moves a derivative, but not what is accepted.
 /// O(pieces · degree²) and O(rows · degree²).
 Verification verify_motion_law(const cam::MotionLawProblem& problem, const LawToVerify& law,
-                               const SetpointSource& table, Progress& progress);
+                               const SetpointSource& table, Progress progress);
 
 }  // namespace bahnwerk

@@ -46,7 +46,7 @@ std::vector<double> part_of(const std::vector<double>& c, double from, double to
 
 class LoadVerifier {
  public:
-  LoadVerifier(const LawToVerify& law, const LoadToVerify& load, Progress& progress, Verification& out)
+  LoadVerifier(const LawToVerify& law, const LoadToVerify& load, Progress progress, Verification& out)
       : law_(law), load_(load), progress_(progress), out_(out) {
     for (std::size_t i = 0; i < law.bernstein.size(); ++i)
       for (const double v : derivative_coefficients(law.bernstein[i], duration(i), 1))
@@ -139,7 +139,7 @@ class LoadVerifier {
 
   const LawToVerify& law_;
   const LoadToVerify& load_;
-  Progress& progress_;
+  Progress progress_;
   Verification& out_;
   double still_ = 0, share_ = 1, friction_ = 0, motor_ = 0;
   double peak_ = 0, at_ = 0;
@@ -147,7 +147,7 @@ class LoadVerifier {
 
 }  // namespace
 
-void verify_load(const LawToVerify& law, const LoadToVerify& load, Progress& progress, Verification& out) {
+void verify_load(const LawToVerify& law, const LoadToVerify& load, Progress progress, Verification& out) {
   LoadVerifier(law, load, progress, out).run();
 }
 

@@ -24,7 +24,7 @@ double chord_to_chord(Point a, Point b, Point c, Point d) {
 }  // namespace
 
 NearestApproach nearest_approach(const std::vector<Point>& path, const std::vector<Point>& line, double near,
-                                 Progress& progress) {
+                                 Progress progress) {
   NearestApproach best{HUGE_VAL, 0};
   double longest = 0;
   for (std::size_t j = 0; j + 1 < line.size(); ++j) longest = std::max(longest, distance(line[j], line[j + 1]));

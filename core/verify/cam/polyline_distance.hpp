@@ -3,11 +3,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/point.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 namespace verify {
 
@@ -18,7 +17,7 @@ struct NearestApproach {
 /// Returns the smallest distance between any chord of `path` and any chord of `line`. Chords of `line` that are farther
 /// than `near` from the one of `path` are skipped by their length, so distances above `near` are bounds from below.
 NearestApproach nearest_approach(const std::vector<Point>& path, const std::vector<Point>& line, double near,
-                                 Progress& progress);
+                                 Progress progress);
 
 }  // namespace verify
 }  // namespace bahnwerk

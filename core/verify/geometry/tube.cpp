@@ -40,9 +40,8 @@ verify::Worst wrong_blocks(const Contour& given, const Contour& path) {
 
 }  // namespace
 
-std::vector<Check> tube_checks(const Contour& given, const Contour& path, double tolerance, Progress& progress,
-                               double from, double to) {
-  ProgressScope stage_progress(progress, "verify", from, to);
+std::vector<Check> tube_checks(const Contour& given, const Contour& path, double tolerance, Progress progress) {
+  ProgressScope stage_progress(progress, "verify");
   stage_progress.report();
   std::vector<Check> checks{
       verify::make_check({{"blocks out of order", CheckGroup::geometry}, 0, "1"}, 0, wrong_blocks(given, path))};

@@ -2,12 +2,11 @@
 /// A proven bound of the distance of a path from its contour, block by block, independent of how the path was made.
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Returns two checks.
 ///
@@ -28,8 +27,7 @@ class Progress;
 /// from their chords (core/geometry/path/matched.hpp), the search for a matching the Fréchet distance of polygons
 /// (core/verify/geometry/frechet.hpp). Cost: O(segments of both), some µs per segment; in coils smaller than the
 /// tolerance up to 30 ns per pair of segments, and at most 64 pairs per segment (but at least 5e7), beyond which a
-/// block fails. Progress runs from `from` to `to`; throws Stopped.
-std::vector<Check> tube_checks(const Contour& given, const Contour& path, double tolerance, Progress& progress,
-                               double from = 0, double to = 1);
+/// block fails. Throws Stopped.
+std::vector<Check> tube_checks(const Contour& given, const Contour& path, double tolerance, Progress progress);
 
 }  // namespace bahnwerk

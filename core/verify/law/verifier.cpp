@@ -17,21 +17,21 @@ std::vector<double> feeds_to_hold(const Contour& driven, const Contour& given) {
   return feed;
 }
 
-Verification verify_motion(const ContourVerifierInput& input, Progress& progress) {
+Verification verify_motion(const ContourVerifierInput& input, Progress progress) {
   const CartesianAxisPath path(input.contour.path, input.machine.axes.size());
-  return verify_motion({path, input.machine, input.law,
-                        feeds_to_hold(input.contour, input.given == nullptr ? input.contour : *input.given),
-                        input.contour.rest_places(), input.corner_angle, input.check_jerk, input.path,
-                        input.position_tolerance, input.progress_from, input.progress_to},
-                       progress);
+  return verify_motion(
+      {path, input.machine, input.law,
+       feeds_to_hold(input.contour, input.given == nullptr ? input.contour : *input.given), input.contour.rest_places(),
+       input.corner_angle, input.check_jerk, input.path, input.position_tolerance},
+      progress);
 }
 
-Verification verify_motion(const VerifierInput& input, Progress& progress) {
+Verification verify_motion(const VerifierInput& input, Progress progress) {
   if (input.machine.axes.size() != input.path.axes())
     throw std::invalid_argument("the verifier needs limits of as many axes as the path has");
   if (input.feeds.size() != input.path.size() || input.rests.size() != input.path.size() + 1)
     throw std::invalid_argument("the verifier needs a feed per segment and a rest per place between them");
-  ProgressScope stage_progress(progress, "verify", input.progress_from, input.progress_to);
+  ProgressScope stage_progress(progress, "verify");
   stage_progress.report();
   verify::AxisPeaks axes = verify::axis_peaks(input, stage_progress);
   Verification result;

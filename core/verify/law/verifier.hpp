@@ -2,6 +2,7 @@
 /// The independent verifier of a finished motion law: it shares the geometry with the planner and nothing else.
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
@@ -9,8 +10,6 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Axes that follow a path by a time law, 1 to max_axes of them.
 struct VerifierInput {
@@ -22,8 +21,7 @@ struct VerifierInput {
   double corner_angle = 0;    ///< largest jump of the tool's tangent without a stop, rad
   bool check_jerk = false;    ///< whether jerk is verified where its limit is finite, with related checks
   Limits along = {};          ///< limits along the tool's path
-  double position_tolerance = 1e-6;           ///< allowed gap of curves at a joint, mm
-  double progress_from = 0, progress_to = 1;  ///< the part of the whole job's progress that verifying covers
+  double position_tolerance = 1e-6;  ///< allowed gap of curves at a joint, mm
 };
 
 /// A contour on a Cartesian machine: axis k is coordinate k of the tool.
@@ -36,7 +34,6 @@ struct ContourVerifierInput {
   Limits path = {};                  ///< limits along the path
   const Contour* given = nullptr;    ///< contour whose feeds hold for the blocks of `contour`, if another
   double position_tolerance = 1e-6;  ///< allowed gap of curves at a joint, mm
-  double progress_from = 0, progress_to = 1;
 };
 
 /// Returns the feeds per path segment, mm/s. A path driven in place of the given contour has to keep that contour's
@@ -70,8 +67,8 @@ std::vector<double> feeds_to_hold(const Contour& driven, const Contour& given);
 ///
 /// Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on arcs and cubics. Reports to `progress` every few ms.
 /// Throws std::invalid_argument if axes, feeds or rests do not match the path.
-Verification verify_motion(const VerifierInput& input, Progress& progress);
+Verification verify_motion(const VerifierInput& input, Progress progress);
 /// Verifies a contour. Throws std::invalid_argument for more than three axes.
-Verification verify_motion(const ContourVerifierInput& input, Progress& progress);
+Verification verify_motion(const ContourVerifierInput& input, Progress progress);
 
 }  // namespace bahnwerk

@@ -203,12 +203,12 @@ class Checker {
 }  // namespace
 }  // namespace verify
 
-std::vector<Check> motion_checks(const MotionToVerify& input, Progress& progress) {
+std::vector<Check> motion_checks(const MotionToVerify& input, Progress progress) {
   if (input.motion.axes() != input.axes.size())
     throw std::invalid_argument("a motion is verified against the limits of as many axes as it has");
   if (input.continuous < 0 || input.continuous > 3)
     throw std::invalid_argument("pieces are compared up to their third derivative");
-  ProgressScope stage_progress(progress, "verify", input.progress_from, input.progress_to);
+  ProgressScope stage_progress(progress, "verify");
   stage_progress.report();
   return verify::Checker(input).run(stage_progress);
 }

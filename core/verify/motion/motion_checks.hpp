@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/motion.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Inputs of the checks.
 struct MotionToVerify {
@@ -25,9 +24,8 @@ struct MotionToVerify {
   /// Returns the allowed jump of derivative `derivative` (0 position, 1 velocity, 2 acceleration) of an axis where
   /// pieces meet at time t, as where the tangent of its path jumps; empty: no jump.
   std::function<double(std::size_t axis, std::size_t derivative, double t)> step = {};
-  double progress_from = 0, progress_to = 1;  ///< the part of the whole job's progress that the checks cover
-  std::string group = {};                     ///< subject of the checks of all axes together
-  std::string unit = "unit";                  ///< unit of these checks: that of the axes, if they share one
+  std::string group = {};     ///< subject of the checks of all axes together
+  std::string unit = "unit";  ///< unit of these checks: that of the axes, if they share one
 };
 
 /// Returns these checks, in this order. For each limited axis: `range <axis>` (excess of positions over lowest and
@@ -46,6 +44,6 @@ struct MotionToVerify {
 ///
 /// Cost: O(pieces · axes), about 0.2 µs per polynomial and derivative. Throws std::invalid_argument if the numbers of
 /// axes differ, and passes exceptions of `progress` on.
-std::vector<Check> motion_checks(const MotionToVerify& input, Progress& progress);
+std::vector<Check> motion_checks(const MotionToVerify& input, Progress progress);
 
 }  // namespace bahnwerk

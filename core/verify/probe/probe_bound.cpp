@@ -222,7 +222,7 @@ std::vector<Move> moves_of(const ProbeProblem& problem, std::size_t stride, cons
 // Raises the moves' times. What a move's neighbours prove lengthens the time in which their capsules hold, which proves
 // more of the move: coarse samples until that comes to an end, then finer ones.
 template <int D>
-void improve(const ProbeProblem& problem, std::vector<Move>& moves, const Effort& effort, Progress& progress,
+void improve(const ProbeProblem& problem, std::vector<Move>& moves, const Effort& effort, Progress progress,
              double done, double share) {
   const MoveBound<D> bound(problem, effort);
   const std::size_t n = moves.size();
@@ -256,7 +256,7 @@ void improve(const ProbeProblem& problem, std::vector<Move>& moves, const Effort
 }
 
 template <int D>
-double sum_of_moves(const ProbeProblem& problem, Progress& progress, std::size_t most_improved) {
+double sum_of_moves(const ProbeProblem& problem, Progress progress, std::size_t most_improved) {
   // With more edges, only the last levels are improved, whose moves are long beside the ramps.
   const std::size_t few = std::min<std::size_t>(most_improved, 160);
   const double enough = 6 * ramp_time(problem);
@@ -276,7 +276,7 @@ double sum_of_moves(const ProbeProblem& problem, Progress& progress, std::size_t
 
 }  // namespace
 
-Bound probe_bound(const ProbeProblem& problem, Progress& progress, std::size_t most_improved) {
+Bound probe_bound(const ProbeProblem& problem, Progress progress, std::size_t most_improved) {
   Bound bound;
   bound.value = problem.dimension() == 2 ? sum_of_moves<2>(problem, progress, most_improved)
                                          : sum_of_moves<3>(problem, progress, most_improved);

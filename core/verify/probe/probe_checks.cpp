@@ -200,14 +200,11 @@ class ProbeChecker {
 }  // namespace
 }  // namespace verify
 
-std::vector<Check> probe_checks(const ProbeToVerify& input, Progress& progress) {
-  const double from = input.progress_from, to = input.progress_to, middle = (from + to) / 2;
+std::vector<Check> probe_checks(const ProbeToVerify& input, Progress progress) {
   MotionToVerify motion{input.motion, input.problem.machine.axes, 3};
-  motion.progress_from = from;
-  motion.progress_to = middle;
   motion.unit = "mm";
-  std::vector<Check> checks = motion_checks(motion, progress);
-  ProgressScope scope(progress, "verify", middle, to);
+  std::vector<Check> checks = motion_checks(motion, progress.part(0, 0.5));
+  ProgressScope scope(progress.part(0.5, 1), "verify");
   for (Check& check : verify::ProbeChecker(input).run(scope)) checks.push_back(std::move(check));
   return checks;
 }

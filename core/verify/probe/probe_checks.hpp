@@ -3,19 +3,17 @@
 /// all times, between setpoints, too. It sees polynomials in time and the times of the points, no planner.
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/axes/motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
 
-class Progress;
-
 struct ProbeToVerify {
   const ProbeProblem& problem;
   const Motion& motion;              ///< polynomials in time (Motion::polynomial)
   const std::vector<double>& times;  ///< s, per point of `problem.points`
-  double progress_from = 0, progress_to = 1;
 };
 
 /// Returns the checks of core/verify/motion/motion_checks.hpp (acceleration, jerk and snap per axis, continuity up to
@@ -31,6 +29,6 @@ struct ProbeToVerify {
 /// Peaks are enclosures: Bernstein coefficients of every piece, cut where edges change, halved until they decide to
 /// 1e-9. Speed and points hold when value ≤ limit · (1 + 1e-9), deviations when value ≤ limit · (1 + 1e-9) + 1e-12 of
 /// the largest coordinate, to which rounding of positions adds up. A piece that is no polynomial fails. O(pieces).
-std::vector<Check> probe_checks(const ProbeToVerify& input, Progress& progress);
+std::vector<Check> probe_checks(const ProbeToVerify& input, Progress progress);
 
 }  // namespace bahnwerk

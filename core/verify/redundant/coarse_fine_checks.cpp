@@ -307,13 +307,13 @@ double step_of_the_head(const CoarseFineToVerify& in, bool alone, std::size_t k,
 }  // namespace
 }  // namespace verify
 
-std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress& progress) {
+std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress progress) {
   const std::size_t axes = input.path.axes();
   if (!input.path.cartesian() || input.coarse.axes() != axes || input.coarse_axes.size() != axes ||
       input.fine_axes.size() != axes)
     throw std::invalid_argument("coarse and fine axes are verified along a Cartesian path of as many axes");
-  const double between = input.progress_from + 0.7 * (input.progress_to - input.progress_from);
-  ProgressScope scope(progress, "verify", input.progress_from, between);
+  constexpr double of_fine = 0.7;  // part of the progress
+  ProgressScope scope(progress.part(0, of_fine), "verify");
   const std::vector<Check> fine = verify::FineSweep(input, scope).run();
   const std::vector<bool> alone = verify::still_axes(input, fine);
   MotionToVerify coarse{input.coarse, input.coarse_axes};
@@ -323,11 +323,9 @@ std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress&
   coarse.step = [&input, &alone](std::size_t axis, std::size_t derivative, double t) {
     return verify::step_of_the_head(input, alone[axis], axis, derivative, t);
   };
-  coarse.progress_from = between;
-  coarse.progress_to = input.progress_to;
   coarse.group = "coarse";
   coarse.unit = "mm";
-  std::vector<Check> list = motion_checks(coarse, progress);
+  std::vector<Check> list = motion_checks(coarse, progress.part(of_fine, 1));
   list.insert(list.end(), fine.begin(), fine.end());
   verify::Strained duration;
   duration.raise(std::abs(input.coarse.duration() - input.law.duration()), verify::rounding * input.law.duration(),

@@ -3,6 +3,7 @@
 /// time. It is given path, time law and coarse motion; the fine axes are the difference, x_f = x − x_c.
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/axis_path.hpp"
@@ -10,8 +11,6 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 namespace quantity {
 inline constexpr Quantity stroke{"stroke", CheckGroup::limit, true};  ///< the position of a fine axis
@@ -25,7 +24,6 @@ struct CoarseFineToVerify {
   bool check_jerk = false;  ///< whether jerk limits have to hold and the coarse acceleration has to be continuous
   double cycle_time = 0;    ///< s; a coarse axis under a fine one that stands still takes steps at a tangent jump as a
                             ///< machine's axis does
-  double progress_from = 0, progress_to = 1;
 };
 
 /// Returns, in this order: motion_checks() of the coarse motion (at a resolution of ε times the duration), where the
@@ -53,6 +51,6 @@ struct CoarseFineToVerify {
 ///
 /// Cost: 1 to 4 µs per interval and axis. Throws std::invalid_argument if numbers of axes differ or the path is not
 /// Cartesian, and what `progress` throws.
-std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress& progress);
+std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress progress);
 
 }  // namespace bahnwerk

@@ -85,8 +85,8 @@ double least(const StrokeSections& sections, std::size_t section, ProgressScope&
 
 }  // namespace
 
-StrokeGain raise_by_stroke(const StrokeBoundTask& task, std::vector<SectionBound>& sections, Progress& progress) {
-  ProgressScope scope(progress, "bound", task.progress_from, task.progress_to);
+StrokeGain raise_by_stroke(const StrokeBoundTask& task, std::vector<SectionBound>& sections, Progress progress) {
+  ProgressScope scope(progress, "bound");
   const StrokeSections looked(task, sections);
   std::vector<double> raised(sections.size());
   StrokeGain gain;

@@ -25,11 +25,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/verify/redundant/stroke_sections.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 struct StrokeGain {
   std::size_t sections = 0;  ///< number of sections whose bounds rose
@@ -38,6 +37,6 @@ struct StrokeGain {
 
 /// Raises the bounds in `sections`, which lower_bound() returned, to what the proof gives, by bisection to a relative
 /// accuracy of 1e-5. Cost: 0.2 ms per section longer than a stroke, 1 ms if its bound rises.
-StrokeGain raise_by_stroke(const StrokeBoundTask& task, std::vector<SectionBound>& sections, Progress& progress);
+StrokeGain raise_by_stroke(const StrokeBoundTask& task, std::vector<SectionBound>& sections, Progress progress);
 
 }  // namespace bahnwerk

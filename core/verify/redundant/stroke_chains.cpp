@@ -94,8 +94,8 @@ class PartedChain {
 }  // namespace
 
 double gain_of_chains(const StrokeBoundTask& task, const std::vector<SectionBound>& sections,
-                      const std::vector<double>& planned, Progress& progress) {
-  ProgressScope scope(progress, "bound", task.progress_from, task.progress_to);
+                      const std::vector<double>& planned, Progress progress) {
+  ProgressScope scope(progress, "bound");
   const StrokeSections looked(task, sections);
   const std::size_t n = sections.size();
   double all = 0;

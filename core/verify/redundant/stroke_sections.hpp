@@ -14,7 +14,6 @@ namespace bahnwerk {
 struct StrokeBoundTask {
   const PathTask& head;                        ///< path, feeds and rests with the summed limits
   const std::vector<AxisLimits>&coarse, fine;  ///< limits per axis of the path; a fine axis' stroke is its `highest`
-  double progress_from = 0, progress_to = 1;
 };
 
 namespace verify {

@@ -78,8 +78,8 @@ class SumRows final : public RowCheck {
 
 std::unique_ptr<RowCheck> sum_row_check(const SumInput& input) { return std::make_unique<SumRows>(input); }
 
-std::vector<Check> sum_checks(const SumInput& input, Progress& progress) {
-  ProgressScope scope(progress, "verify setpoints", input.progress_from, input.progress_to);
+std::vector<Check> sum_checks(const SumInput& input, Progress progress) {
+  ProgressScope scope(progress, "verify setpoints");
   return check_rows(input.setpoints, sum_row_check(input), scope);
 }
 

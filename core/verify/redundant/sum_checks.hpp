@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -10,12 +11,9 @@
 
 namespace bahnwerk {
 
-class Progress;
-
 struct SumInput {
   const SetpointSource& setpoints;  ///< columns `<axis>`, `v<axis>`, `a<axis>` of head, coarse and fine axes
   const std::vector<AxisLimits>&head, coarse, fine;  ///< names; a fine axis' stroke is its `highest`
-  double progress_from = 0, progress_to = 1;
 };
 
 /// Returns a check of rows with these quantities and limits (ε = 2⁻⁵²):
@@ -31,6 +29,6 @@ struct SumInput {
 std::unique_ptr<RowCheck> sum_row_check(const SumInput& input);
 
 /// Reads all rows for sum_row_check() and returns its verdicts.
-std::vector<Check> sum_checks(const SumInput& input, Progress& progress);
+std::vector<Check> sum_checks(const SumInput& input, Progress progress);
 
 }  // namespace bahnwerk

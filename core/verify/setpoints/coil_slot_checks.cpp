@@ -186,8 +186,8 @@ std::unique_ptr<RowCheck> coil_slot_row_check(CoilSlotInput input) {
   return std::make_unique<CoilSlotRows>(std::move(input));
 }
 
-std::vector<Check> coil_slot_checks(CoilSlotInput input, Progress& progress) {
-  ProgressScope stage_progress(progress, "verify needle", 1, 1);
+std::vector<Check> coil_slot_checks(CoilSlotInput input, Progress progress) {
+  ProgressScope stage_progress(progress.part(1, 1), "verify needle");
   const SetpointSource& setpoints = input.setpoints;
   return check_rows(setpoints, coil_slot_row_check(std::move(input)), stage_progress);
 }

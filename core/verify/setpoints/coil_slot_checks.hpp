@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -11,8 +12,6 @@
 #include "core/motion/axes/axis_path.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// A sector about the part's axis: azimuths within `half` of `middle`. `half` is at most π/2.
 struct SlotSector {
@@ -53,6 +52,6 @@ struct CoilSlotInput {
 std::unique_ptr<RowCheck> coil_slot_row_check(CoilSlotInput input);
 
 /// Returns the results after reading all rows for this check alone.
-std::vector<Check> coil_slot_checks(CoilSlotInput input, Progress& progress);
+std::vector<Check> coil_slot_checks(CoilSlotInput input, Progress progress);
 
 }  // namespace bahnwerk

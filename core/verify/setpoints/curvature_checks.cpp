@@ -22,7 +22,7 @@ double distance(Vec p, Vec a, Vec b) {
 
 }  // namespace
 
-std::vector<Check> curvature_checks(const CurvatureInput& in, Progress& progress) {
+std::vector<Check> curvature_checks(const CurvatureInput& in, Progress progress) {
   const bool chord = in.chord_tolerance < unlimited, half = in.half_speed_curvature < unlimited;
   if (!chord && !half) return {};
   Worst error, feed;
@@ -42,7 +42,7 @@ std::vector<Check> curvature_checks(const CurvatureInput& in, Progress& progress
   if (!pieces.empty()) place[0] = look(0);
   const auto cycles = pieces.empty() ? 0 : static_cast<std::size_t>(std::ceil(duration / in.cycle_time - 1e-6));
   for (std::size_t k = 0; k < cycles; ++k) {
-    if (k % cycles_per_report == 0) progress.report("verify curvature", in.at);
+    if (k % cycles_per_report == 0) progress.report("verify curvature", 0);
     for (std::size_t p = 1; p <= parts; ++p) {
       const double share = static_cast<double>(p) / static_cast<double>(parts);
       place[p] = look(std::min(duration, (static_cast<double>(k) + share) * in.cycle_time));

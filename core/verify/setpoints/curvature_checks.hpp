@@ -3,14 +3,13 @@
 /// the feeds were found.
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/axis_path.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Inputs of the checks.
 struct CurvatureInput {
@@ -20,7 +19,6 @@ struct CurvatureInput {
   double chord_tolerance = unlimited;       ///< largest distance of path and chord, mm
   double half_speed_curvature = unlimited;  ///< κ̂, 1/mm
   double velocity = unlimited;              ///< v_max, mm/s
-  double at = 1;                            ///< fraction of the job's progress during the checks
 };
 
 /// Returns these checks, over four places of every cycle:
@@ -29,6 +27,6 @@ struct CurvatureInput {
 /// `half-speed feed`   mm/s  v (κ̂ + κ)/κ̂ against v_max
 ///
 /// Each check exists where its quantity is limited. About 1 µs per setpoint.
-std::vector<Check> curvature_checks(const CurvatureInput& input, Progress& progress);
+std::vector<Check> curvature_checks(const CurvatureInput& input, Progress progress);
 
 }  // namespace bahnwerk

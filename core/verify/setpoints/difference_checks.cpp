@@ -100,8 +100,8 @@ std::unique_ptr<RowCheck> difference_row_check(const DifferenceInput& input) {
   return std::make_unique<DifferenceRows>(input);
 }
 
-std::vector<Check> difference_checks(const DifferenceInput& input, Progress& progress) {
-  ProgressScope stage_progress(progress, "verify differences", 1, 1);
+std::vector<Check> difference_checks(const DifferenceInput& input, Progress progress) {
+  ProgressScope stage_progress(progress.part(1, 1), "verify differences");
   return check_rows(input.setpoints, difference_row_check(input), stage_progress);
 }
 

@@ -3,14 +3,13 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Inputs of the check. The objects referred to have to outlive it.
 struct DifferenceInput {
@@ -36,6 +35,6 @@ struct DifferenceInput {
 std::unique_ptr<RowCheck> difference_row_check(const DifferenceInput& input);
 
 /// Returns the results after reading all rows for this check alone.
-std::vector<Check> difference_checks(const DifferenceInput& input, Progress& progress);
+std::vector<Check> difference_checks(const DifferenceInput& input, Progress progress);
 
 }  // namespace bahnwerk

@@ -117,9 +117,8 @@ std::unique_ptr<RowCheck> motion_row_check(const MotionSetpointInput& input) {
 }
 
 std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& machine, const SetpointSource& setpoints,
-                                          Progress& progress, double progress_from, double progress_to,
-                                          const std::string& group) {
-  ProgressScope stage_progress(progress, "verify setpoints", progress_from, progress_to);
+                                          Progress progress, const std::string& group) {
+  ProgressScope stage_progress(progress, "verify setpoints");
   return check_rows(setpoints, motion_row_check({motion, machine, setpoints, group}), stage_progress);
 }
 

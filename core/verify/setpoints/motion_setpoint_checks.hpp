@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -12,8 +13,6 @@
 #include "core/motion/axes/motion.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Inputs of the check. The objects referred to have to outlive it.
 struct MotionSetpointInput {
@@ -43,7 +42,6 @@ std::unique_ptr<RowCheck> motion_row_check(const MotionSetpointInput& input);
 /// Returns the results after reading all rows for this check alone, 1024 at a time. Reports every 2048 rows; passes its
 /// exceptions on.
 std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& machine, const SetpointSource& setpoints,
-                                          Progress& progress, double progress_from = 0, double progress_to = 1,
-                                          const std::string& group = {});
+                                          Progress progress, const std::string& group = {});
 
 }  // namespace bahnwerk

@@ -76,8 +76,8 @@ class NeedleRows final : public RowCheck {
 
 std::unique_ptr<RowCheck> needle_row_check(const NeedleInput& input) { return std::make_unique<NeedleRows>(input); }
 
-std::vector<Check> needle_checks(const NeedleInput& input, Progress& progress) {
-  ProgressScope stage_progress(progress, "verify needle", 1, 1);
+std::vector<Check> needle_checks(const NeedleInput& input, Progress progress) {
+  ProgressScope stage_progress(progress.part(1, 1), "verify needle");
   return check_rows(input.setpoints, needle_row_check(input), stage_progress);
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -10,8 +11,6 @@
 #include "core/motion/axes/axis_path.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Inputs of the check. The objects referred to have to outlive it.
 struct NeedleInput {
@@ -33,6 +32,6 @@ struct NeedleInput {
 std::unique_ptr<RowCheck> needle_row_check(const NeedleInput& input);
 
 /// Returns the results after reading all rows for this check alone.
-std::vector<Check> needle_checks(const NeedleInput& input, Progress& progress);
+std::vector<Check> needle_checks(const NeedleInput& input, Progress progress);
 
 }  // namespace bahnwerk

@@ -199,8 +199,8 @@ class PathRows final : public RowCheck {
 
 std::unique_ptr<RowCheck> path_row_check(const SetpointInput& input) { return std::make_unique<PathRows>(input); }
 
-std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress) {
-  ProgressScope stage_progress(progress, "verify setpoints", input.progress_from, input.progress_to);
+std::vector<Check> setpoint_checks(const SetpointInput& input, Progress progress) {
+  ProgressScope stage_progress(progress, "verify setpoints");
   return check_rows(input.setpoints, path_row_check(input), stage_progress);
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -13,8 +14,6 @@
 
 namespace bahnwerk {
 
-class Progress;
-
 /// Inputs of the check.
 struct SetpointInput {
   const AxisPath& path;
@@ -22,7 +21,6 @@ struct SetpointInput {
   const TimeLaw& law;  ///< the verified law, slowed to whole cycles
   const SetpointSource& setpoints;
   const Contour* contour = nullptr;  ///< contour whose blocks the columns mode and block describe, if they exist
-  double progress_from = 0, progress_to = 1;  ///< the part of the whole job's progress that the checks cover
   /// Factor from each axis' unit to that of its columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown = {};
   /// Distance by which an interpolator may place a row before or behind the law's place, along the path, relative to
@@ -56,6 +54,6 @@ std::unique_ptr<RowCheck> path_row_check(const SetpointInput& input);
 
 /// Returns the results after reading all rows for this check alone, 1024 at a time. Reports every 2048 rows; passes its
 /// exceptions on.
-std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress);
+std::vector<Check> setpoint_checks(const SetpointInput& input, Progress progress);
 
 }  // namespace bahnwerk

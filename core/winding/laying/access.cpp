@@ -115,7 +115,7 @@ std::vector<Obstruction> opening_obstructions(const Opening& opening, double rad
 
 std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const Opening& opening, const Needle& needle,
                                               double radius, double touch, const std::vector<Point>& wires,
-                                              Progress& progress) {
+                                              Progress progress) {
   const Upright upright(opening);
   const double half = needle.width / 2;
   const double x = needle.stand == Needle::Stand::middle ? 0 : needle.stand == Needle::Stand::left ? -half : half;

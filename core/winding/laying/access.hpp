@@ -6,12 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/winding/layout/layout.hpp"
 #include "core/winding/slot/slot.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -54,6 +51,6 @@ std::vector<Obstruction> opening_obstructions(const Opening& opening, double rad
 /// by intervals. O(n²) for n wires.
 std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const Opening& opening, const Needle& needle,
                                               double radius, double touch, const std::vector<Point>& wires,
-                                              Progress& progress);
+                                              Progress progress);
 
 }  // namespace bahnwerk::winding

@@ -125,7 +125,7 @@ bool ForceBalance::choose_step(double fixed, double residual, Step& step) {
   return true;
 }
 
-ForceBalance::Result ForceBalance::solve(Progress& progress, double fraction) {
+ForceBalance::Result ForceBalance::solve(Progress progress) {
   // Dostál, Schöberl: Minimizing quadratic functions over non-negative cone with the rate of convergence and finite
   // termination (2005). Conjugate gradients over the loaded contacts; unloaded ones join when their part of the
   // gradient outweighs; where a step would make a contact pull it ends, and a gradient step of fixed length changes the
@@ -145,7 +145,7 @@ ForceBalance::Result ForceBalance::solve(Progress& progress, double fraction) {
   const std::size_t limit = 2000 + 30 * n;
   Result result = measure();
   for (std::size_t round = 1; !result.balanced && round < limit; ++round, result = measure()) {
-    if (round % 256 == 0) progress.report("balancing forces", fraction);
+    if (round % 256 == 0) progress.report("balancing forces", 0);
     if (!choose_step(fixed, result.residual, step)) break;
     std::fill(change_.begin(), change_.end(), Point{});
     spread(step_, change_);

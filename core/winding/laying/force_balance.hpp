@@ -4,11 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/point.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -36,9 +33,8 @@ class ForceBalance {
     /// a slip.
     bool proves_slip() const { return !balanced && closing <= 1e-6; }
   };
-  /// Solves by conjugate gradients on changing sets of loaded contacts, O(contacts) a step. Reports `fraction` while it
-  /// works.
-  Result solve(Progress& progress, double fraction);
+  /// Solves by conjugate gradients on changing sets of loaded contacts, O(contacts) a step.
+  Result solve(Progress progress);
 
   /// Returns the force of each contact, or of the two limits of its friction.
   std::span<const double> pushes() const { return amount_; }

@@ -16,11 +16,11 @@ double share(std::size_t wires, const Region& usable_area, double radius) {
 
 }  // namespace
 
-NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, Progress& progress) {
+NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, Progress progress) {
   NeedleLayout layouts;
   std::array<Sites, 4> sites{
-      Sites(regions.at[0].usable_area, radius, &progress), Sites(regions.at[1].usable_area, radius, &progress),
-      Sites(regions.at[2].usable_area, radius, &progress), Sites(regions.at[3].usable_area, radius, &progress)};
+      Sites(regions.at[0].usable_area, radius, progress), Sites(regions.at[1].usable_area, radius, progress),
+      Sites(regions.at[2].usable_area, radius, progress), Sites(regions.at[3].usable_area, radius, progress)};
   Point tension_point = tie_in;
   for (;;) {
     progress.report("laying", share(layouts[0].wires.size(), regions.at[0].usable_area, radius));
@@ -47,10 +47,10 @@ std::vector<Point> turn_pulls(const LayingRegions& regions, const Layout& layout
   return tension_points;
 }
 
-NeedleLayout needle(const Slot& slot, double radius, const StatorHeads& heads, Progress& progress) {
+NeedleLayout needle(const Slot& slot, double radius, const StatorHeads& heads, Progress progress) {
   return needle(laying_regions(slot, heads), radius, slot.tension_point, progress);
 }
-NeedleLayout needle(const Slot& slot, double radius, const RotorHeads& heads, Progress& progress) {
+NeedleLayout needle(const Slot& slot, double radius, const RotorHeads& heads, Progress progress) {
   return needle(laying_regions(slot, heads), radius, slot.tension_point, progress);
 }
 

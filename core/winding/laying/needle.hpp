@@ -3,12 +3,9 @@
 /// the place at which the piece of wire from the region before is shortest.
 #include <array>
 
+#include "core/base/progress.hpp"
 #include "core/winding/laying/laying_regions.hpp"
 #include "core/winding/layout/layout.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -20,7 +17,7 @@ using NeedleLayout = std::array<Layout, 4>;
 /// wire left the region before (4.13)–(4.20). The simulation ends when a region has no place for a wire; a turn that
 /// does not fit in all regions does not count. The optimum of each place is global, see core/winding/layout/sites.hpp.
 /// O(n · open corners) for n turns.
-NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, Progress& progress);
+NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, Progress progress);
 
 /// Returns the points that draw the wires of the second slot (`regions.at[2]`) if all regions have this layout, as an
 /// orthocyclic one in a rotor: every wire comes from its own place in the head before. In the first slot it comes from
@@ -28,7 +25,7 @@ NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, P
 std::vector<Point> turn_pulls(const LayingRegions& regions, const Layout& layout);
 
 /// Simulates a stator slot with its heads and tie-in point.
-NeedleLayout needle(const Slot& slot, double radius, const StatorHeads& heads, Progress& progress);
-NeedleLayout needle(const Slot& slot, double radius, const RotorHeads& heads, Progress& progress);
+NeedleLayout needle(const Slot& slot, double radius, const StatorHeads& heads, Progress progress);
+NeedleLayout needle(const Slot& slot, double radius, const RotorHeads& heads, Progress progress);
 
 }  // namespace bahnwerk::winding

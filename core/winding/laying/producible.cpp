@@ -33,13 +33,14 @@ std::vector<std::size_t> Producible::slipping() const {
 }
 
 Producible producible(const Region& usable_area, double radius, const Layout& layout, Point tension_point,
-                      const ProducibleOptions& options, Progress& progress) {
+                      const ProducibleOptions& options, Progress progress) {
   Producible result;
   ForceBalance pile(options.friction);
   const double gap = 2 * radius * options.touch + 1e-9, reach = 2 * radius + gap;
   for (std::size_t i = 0; i < layout.wires.size(); ++i) {
-    const double fraction = static_cast<double>(i) / static_cast<double>(layout.wires.size());
-    progress.report("balancing forces", fraction);
+    const double done = static_cast<double>(i) / static_cast<double>(layout.wires.size());
+    const Progress balancing = progress.part(done, done);
+    balancing.report("balancing forces", 0);
     const Point centre = layout.wires[i], to = layout.tension_points.empty() ? tension_point : layout.tension_points[i];
     const Point force = distance(centre, to) > gap ? unit(to - centre) : Point{};
     ForceBalance alone(options.friction);
@@ -52,12 +53,12 @@ Producible producible(const Region& usable_area, double radius, const Layout& la
     walls(usable_area, centre, radius, gap, [&](Point normal) { touch(ForceBalance::wall, normal); });
     for (std::size_t k = 0; k < i; ++k)
       if (square_distance(layout.wires[k], centre) <= reach * reach) touch(k, unit(centre - layout.wires[k]));
-    const ForceBalance::Result held = alone.solve(progress, fraction);
+    const ForceBalance::Result held = alone.solve(balancing);
     if (!held.balanced) result.unsupported.push_back(i);
     if (result.first) continue;
     if (!held.balanced) {
       result.first = {i, i, Producible::Reason::no_support, held.proves_slip()};
-    } else if (const ForceBalance::Result all = pile.solve(progress, fraction); !all.balanced) {
+    } else if (const ForceBalance::Result all = pile.solve(balancing); !all.balanced) {
       result.first = {all.fastest, i, Producible::Reason::pushed_out, all.proves_slip()};
     }
   }

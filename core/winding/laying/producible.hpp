@@ -5,12 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
 #include "core/winding/layout/layout.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -54,6 +51,6 @@ struct Producible {
 /// since later wires would lie differently. The whole boundary supports wires, also the side that a wedge closes later.
 /// O(n) solutions of a balance of O(n) forces.
 Producible producible(const Region& usable_area, double radius, const Layout& layout, Point tension_point,
-                      const ProducibleOptions& options, Progress& progress);
+                      const ProducibleOptions& options, Progress progress);
 
 }  // namespace bahnwerk::winding

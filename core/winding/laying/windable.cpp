@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
-std::vector<Windable::Blocked> blocked(const LaidCoil& coil, double touch, Progress& progress) {
+std::vector<Windable::Blocked> blocked(const LaidCoil& coil, double touch, Progress progress) {
   std::vector<Windable::Blocked> found;
   if (!coil.slot.opening || coil.layout.wires.empty()) return found;
   const Opening& opening = *coil.slot.opening;
@@ -15,7 +15,7 @@ std::vector<Windable::Blocked> blocked(const LaidCoil& coil, double touch, Progr
     found.push_back({each, false});
   if (!coil.needle || coil.needle->swivels || !found.empty() || coil.slot.type == Slot::Type::rotor) return found;
   const auto channel = [&](const Region& usable_area, Needle needle, const Layout& layout, bool back) {
-    ProgressPart last(progress, "needle access", 1, 1);
+    const Progress last = progress.part(1, 1).named("needle access");
     const auto wire = first_out_of_reach(usable_area, opening, needle, coil.radius, touch, layout.wires, last);
     if (wire) found.push_back({{Obstruction::Part::channel, 0, 0, *wire}, back});
   };
@@ -52,7 +52,7 @@ Producible Windable::producible_among(std::size_t count) const {
   return part;
 }
 
-Windable windable(const LaidCoil& coil, const ProducibleOptions& options, Progress& progress) {
+Windable windable(const LaidCoil& coil, const ProducibleOptions& options, Progress progress) {
   Windable verdict;
   verdict.wires = coil.layout.wires.size();
   verdict.producible =

@@ -4,14 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/winding/laying/access.hpp"
 #include "core/winding/laying/producible.hpp"
 #include "core/winding/layout/layout.hpp"
 #include "core/winding/slot/slot.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -48,6 +45,6 @@ struct Windable {
 /// channel to every place by first_out_of_reach(). One that swivels is taken to reach every place, and beside a rotor's
 /// coil the needle has the whole usable area between the poles.
 /// Cost: that of producible(), up to the first wire that slips.
-Windable windable(const LaidCoil& coil, const ProducibleOptions& options, Progress& progress);
+Windable windable(const LaidCoil& coil, const ProducibleOptions& options, Progress progress);
 
 }  // namespace bahnwerk::winding

@@ -46,7 +46,7 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
   return hull;
 }
 
-std::size_t max_wires(const Region& usable_area, double radius, double min_distance, Progress* progress) {
+std::size_t max_wires(const Region& usable_area, double radius, double min_distance, Progress progress) {
   constexpr double endless = 1e15;
   const double d = min_distance - verify_margin, inset = radius - verify_margin;
   if (d <= 100 * verify_margin || inset <= 0) return std::numeric_limits<std::size_t>::max();

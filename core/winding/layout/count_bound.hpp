@@ -13,7 +13,7 @@ namespace bahnwerk::winding {
 /// a line (P twice its length) or a point, at most 2 A/(√3 d²) + P/(2 d) + 1 points are d or more apart [Oler: An
 /// inequality in the geometry of numbers, Acta Math. 105, 1961]. Arcs of the hull are replaced by outer tangents,
 /// within 1e-6 of area and length. Returns the largest std::size_t where the margin is not small against the wires.
-std::size_t max_wires(const Region& usable_area, double radius, double min_distance, Progress* progress = nullptr);
+std::size_t max_wires(const Region& usable_area, double radius, double min_distance, Progress progress = {});
 
 /// Returns the corners of the convex hull, counterclockwise; of fewer than three points not on a line, all or the ends
 /// of the line.

@@ -27,9 +27,9 @@ Extent extent(const Box& box, Point origin, Point along) {
 
 }  // namespace
 
-Layout orthocyclic(const Region& usable_area, double radius, Point tension_point, double angle, Progress& progress) {
+Layout orthocyclic(const Region& usable_area, double radius, Point tension_point, double angle, Progress progress) {
   Layout layout;
-  Sites sites(usable_area, radius, &progress);
+  Sites sites(usable_area, radius, progress);
   const std::optional<Point> first = sites.nearest(tension_point);
   if (!first) return layout;
   const double pitch = 2 * radius;

@@ -1,11 +1,8 @@
 #pragma once
 /// Orthocyclic layout: every wire on one triangular lattice [Herrmann 4.2.1, Algorithm 4.1; Bickel].
+#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
 #include "core/winding/layout/layout.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -16,6 +13,6 @@ namespace bahnwerk::winding {
 /// steps from the first, the one to the left of `angle` before its mirror image; within a row from the wire beside the
 /// first one outwards, along `angle` before against it. Accuracy 1e-9 mm as in core/winding/layout/sites.hpp. O(area /
 /// radius²) distances to the boundary.
-Layout orthocyclic(const Region& usable_area, double radius, Point tension_point, double angle, Progress& progress);
+Layout orthocyclic(const Region& usable_area, double radius, Point tension_point, double angle, Progress progress);
 
 }  // namespace bahnwerk::winding

@@ -42,7 +42,7 @@ bool packed(const Region& usable_area, double radius, double overlap, std::span<
 
 std::optional<std::vector<Point>> pack(const Region& usable_area, double radius, std::size_t count,
                                        std::span<const std::vector<Point>> hints, const PotentialOptions& options,
-                                       Progress& progress) {
+                                       Progress progress) {
   demand(radius, options);
   const CentreArea centres(usable_area, radius, progress);
   PackingSearch search(centres, 2 * radius - options.overlap, options.seed, progress);
@@ -52,7 +52,7 @@ std::optional<std::vector<Point>> pack(const Region& usable_area, double radius,
 }
 
 std::vector<Point> potential(const Region& usable_area, double radius, std::span<const std::vector<Point>> hints,
-                             const PotentialOptions& options, Progress& progress) {
+                             const PotentialOptions& options, Progress progress) {
   demand(radius, options);
   std::vector<Point> best;
   for (const std::vector<Point>& hint : hints)

@@ -11,11 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -34,12 +31,12 @@ struct PotentialOptions {
 /// keeps these rules. Reports stage "potential". Throws std::invalid_argument unless radius > 0 and 0 ≤ overlap <
 /// 2·radius.
 std::vector<Point> potential(const Region& usable_area, double radius, std::span<const std::vector<Point>> hints,
-                             const PotentialOptions& options, Progress& progress);
+                             const PotentialOptions& options, Progress progress);
 
 /// Returns `count` wires, or nothing if none were found; `options.most` is ignored.
 std::optional<std::vector<Point>> pack(const Region& usable_area, double radius, std::size_t count,
                                        std::span<const std::vector<Point>> hints, const PotentialOptions& options,
-                                       Progress& progress);
+                                       Progress progress);
 
 /// Tells whether `wires` satisfy the rules above.
 bool packed(const Region& usable_area, double radius, double overlap, std::span<const Point> wires);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 #include "core/winding/layout/sites.hpp"
 
 namespace bahnwerk::winding {
@@ -35,9 +35,9 @@ Region mirrored(const Region& region) {
 }
 
 /// Returns the layout of the starts to the right, of several with equally many wires the one with the smallest shift.
-std::vector<Point> rightwards(const Region& usable_area, double radius, Progress& progress, int shifts) {
+std::vector<Point> rightwards(const Region& usable_area, double radius, Progress progress, int shifts) {
   std::vector<Point> best;
-  const Sites empty(usable_area, radius, &progress);
+  const Sites empty(usable_area, radius, progress);
   Sites search = empty;
   const std::optional<Point> initial = search.least(up);
   if (!initial) return best;
@@ -58,8 +58,9 @@ std::vector<Point> rightwards(const Region& usable_area, double radius, Progress
 
 }  // namespace
 
-Layout raabe(const Region& usable_area, double radius, Progress& progress, int shifts) {
-  ProgressPart first(progress, "laying", 0, 0.5), second(progress, "laying", 0.5, 1);
+Layout raabe(const Region& usable_area, double radius, Progress progress, int shifts) {
+  const Progress first = progress.part(0, 0.5).named("laying");
+  const Progress second = progress.part(0.5, 1).named("laying");
   Layout best{rightwards(usable_area, radius, first, shifts), {}};
   std::vector<Point> leftwards = rightwards(mirrored(usable_area), radius, second, shifts);
   if (leftwards.size() <= best.wires.size()) return best;

@@ -1,11 +1,8 @@
 #pragma once
 /// Estimate of a random winding: every wire drops to the lowest place [Herrmann 4.2.2, Algorithm 4.2; Raabe].
+#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
 #include "core/winding/layout/layout.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -15,6 +12,6 @@ namespace bahnwerk::winding {
 /// leftmost of several) and dropping to the lowest place there; starts to the right of all places are skipped. Then the
 /// same is done from the other side, in the mirror image, so that a slot and its mirror image take equally many wires.
 /// Returns the layout with the most wires, of several the first one. O(shifts · n · open corners) for n wires.
-Layout raabe(const Region& usable_area, double radius, Progress& progress, int shifts = 4);
+Layout raabe(const Region& usable_area, double radius, Progress progress, int shifts = 4);
 
 }  // namespace bahnwerk::winding

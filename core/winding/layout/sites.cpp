@@ -40,7 +40,7 @@ void at_reach(const Edge& edge, Point centre, double reach, Found found) {
 
 }  // namespace
 
-Sites::Sites(const Region& usable_area, double radius, Progress* progress)
+Sites::Sites(const Region& usable_area, double radius, Progress progress)
     : usable_area_(usable_area), radius_(radius), apart_(2 * radius) {
   CentreBorders found = centre_borders(usable_area, radius, progress);
   borders_ = std::move(found.pieces);

@@ -22,7 +22,7 @@ namespace bahnwerk::winding {
 class Sites {
  public:
   /// `radius` of the wires, mm, > 0. Reports fraction 0 to `progress`, if there is one.
-  Sites(const Region& usable_area, double radius, Progress* progress = nullptr);
+  Sites(const Region& usable_area, double radius, Progress progress = {});
 
   /// Adds a wire at `centre`, which need not be free.
   void lay(Point centre);

@@ -45,7 +45,7 @@ class ClearanceSearch {
  public:
   /// Clearances above `enough` are not distinguished from it.
   ClearanceSearch(const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles, double tolerance,
-                  Progress& progress, double enough = std::numeric_limits<double>::infinity())
+                  Progress progress, double enough = std::numeric_limits<double>::infinity())
       : radius_(needle.width / 2),
         length_(needle.length),
         tolerance_(tolerance),
@@ -192,7 +192,7 @@ class ClearanceSearch {
 
   double radius_, length_, tolerance_;
   const std::vector<const Obstacle*>& obstacles_;
-  Progress& progress_;
+  Progress progress_;
   Clearance best_;
   std::vector<Part> open_;
   std::size_t piece_ = 0, count_ = 0;
@@ -339,7 +339,7 @@ NeedlePose NeedleMove::at(double u) const {
 }
 
 Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& needle,
-                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress) {
+                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress) {
   check(needle, tolerance);
   return ClearanceSearch<MoveInterval>(needle, obstacles, tolerance, progress).over(moves.size(), [&](std::size_t n) {
     return MoveInterval(moves[n]);
@@ -347,7 +347,7 @@ Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& nee
 }
 
 Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& needle,
-                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress) {
+                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress) {
   check(needle, tolerance);
   return ClearanceSearch<PieceInterval>(needle, obstacles, tolerance, progress).over(pieces.size(), [&](std::size_t n) {
     return PieceInterval(pieces[n]);
@@ -356,7 +356,7 @@ Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& need
 
 std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halvings, double enough,
                                               const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles,
-                                              double tolerance, Progress& progress) {
+                                              double tolerance, Progress progress) {
   check(needle, tolerance);
   std::vector<PieceInterval> intervals{PieceInterval(piece)};
   for (int i = 0; i < halvings; ++i) {
@@ -374,7 +374,7 @@ std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halv
 }
 
 double clearance_up_to(double enough, std::span<const BezierPiece> pieces, const NeedleShape& needle,
-                       const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress) {
+                       const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress) {
   check(needle, tolerance);
   ClearanceSearch<PieceInterval> search(needle, obstacles, tolerance, progress, enough);
   return search.over(pieces.size(), [&](std::size_t n) { return PieceInterval(pieces[n]); }).minimum;

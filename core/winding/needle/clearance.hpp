@@ -5,13 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/bezier_piece.hpp"
 #include "core/winding/needle/obstacles.hpp"
 #include "core/winding/needle/support_points.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -37,23 +34,23 @@ struct Clearance {
 /// it. Asks `progress`. Infinite without moves or obstacles. Throws InvalidInput naming needle.width or needle.length,
 /// std::invalid_argument for a tolerance below 1e-6.
 Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& needle,
-                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress);
+                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress);
 
 /// Returns the least clearance along the rational pieces of a path in x, y, z (mm), phi, psi (rad). The displacement of
 /// the needle from its pose in the middle of an interval follows from the interval's control points, in whose convex
 /// hull it lies.
 Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& needle,
-                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress);
+                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress);
 
 /// Returns the least clearance in each of 2^`halvings` intervals of a piece, which are equal in its parameter, as the
 /// search above does; or `enough` where it is nowhere less. `move` is the index of the interval.
 std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halvings, double enough,
                                               const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles,
-                                              double tolerance, Progress& progress);
+                                              double tolerance, Progress progress);
 
 /// Returns the least clearance along the pieces, mm, or `enough` if it is nowhere less than that by more than
 /// `tolerance`. The search does not distinguish larger clearances, which takes far less time than the least one.
 double clearance_up_to(double enough, std::span<const BezierPiece> pieces, const NeedleShape& needle,
-                       const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress);
+                       const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress);
 
 }  // namespace bahnwerk::winding

@@ -19,7 +19,7 @@ NeedlePose tip_pose(const StatorPart& part, Point tip, std::optional<double> piv
 double tip_clearance(const StatorPart& part, const StatorIron& iron, const NeedleShape& needle, Point tip,
                      std::optional<double> pivot_limit, double tolerance) {
   const NeedlePose pose = tip_pose(part, tip, pivot_limit);
-  SilentProgress silent;
+  Progress silent;
   return clearance(std::vector<NeedleMove>{{pose, pose}}, needle, {&iron}, tolerance, silent).minimum;
 }
 
@@ -33,7 +33,7 @@ double ClearanceMap::share(double clearance) const {
 }
 
 ClearanceMap clearance_map(const StatorPart& part, const Slot& slot, const NeedleShape& needle,
-                           std::optional<double> pivot_limit, double step, Progress& progress) {
+                           std::optional<double> pivot_limit, double step, Progress progress) {
   const Point size = slot.iron.box().high - slot.iron.box().low;
   if (!(step > 0) || !(size.x / step * (size.y / step) < 1e6))
     throw std::invalid_argument("a map needs cells of positive size, at most a million");

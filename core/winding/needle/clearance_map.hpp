@@ -34,6 +34,6 @@ struct ClearanceMap {
 /// Computes the map over the slot as punched. Asks `progress`. Throws std::invalid_argument for a step that is not
 /// positive or gives more than a million cells.
 ClearanceMap clearance_map(const StatorPart& part, const Slot& slot, const NeedleShape& needle,
-                           std::optional<double> pivot_limit, double step, Progress& progress);
+                           std::optional<double> pivot_limit, double step, Progress progress);
 
 }  // namespace bahnwerk::winding

@@ -163,9 +163,9 @@ Vec3 NeedlePose::direction() const {
 
 Expected<std::vector<FixedPiece>, NoSupport> support_points(const StatorPart& part, const std::vector<Coil>& coils,
                                                             const std::vector<Turn>& turns, const NeedleModel& model,
-                                                            Progress& progress) {
+                                                            Progress progress) {
   check(model);
-  ProgressScope stage_progress(progress, "support points", 0, 1);
+  ProgressScope stage_progress(progress, "support points");
   const double rho = bend_radius(model.pull), length = model.pull.free_length;
   // The tooth tips are nearest to each other at this place.
   const double opening = part.heads.base_radius - part.slot.height - part.slot.tip_corner_radius;
@@ -207,9 +207,9 @@ Expected<std::vector<FixedPiece>, NoSupport> support_points(const StatorPart& pa
 }
 
 Expected<std::vector<FixedPiece>, NoSupport> support_points(const RotorPart& part, const std::vector<Turn>& turns,
-                                                            const NeedleModel& model, Progress& progress) {
+                                                            const NeedleModel& model, Progress progress) {
   check(model);
-  ProgressScope stage_progress(progress, "support points", 0, 1);
+  ProgressScope stage_progress(progress, "support points");
   const double rho = bend_radius(model.pull), length = model.pull.free_length;
   // The needle points at the axis (4.28): its tip is on the outer side of the bend, whose tangents meet at C.
   const auto leading = [&](Vec3 place, Vec3 along) -> Expected<SupportPoint, NoSupport> {

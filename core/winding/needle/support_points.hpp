@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "core/base/expected.hpp"
+#include "core/base/progress.hpp"
 #include "core/winding/needle/wire_pull.hpp"
 #include "core/winding/part/turns.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -77,9 +74,9 @@ enum class NoSupport {
 /// and Stopped. O(turns): some µs each, 2 ms where tips are moved.
 Expected<std::vector<FixedPiece>, NoSupport> support_points(const StatorPart& part, const std::vector<Coil>& coils,
                                                             const std::vector<Turn>& turns, const NeedleModel& model,
-                                                            Progress& progress);
+                                                            Progress progress);
 Expected<std::vector<FixedPiece>, NoSupport> support_points(const RotorPart& part, const std::vector<Turn>& turns,
-                                                            const NeedleModel& model, Progress& progress);
+                                                            const NeedleModel& model, Progress progress);
 
 /// Returns the needle in a stator's slot: the tip from which a wire along `along` is laid at `place`, for a needle that
 /// points away from the axis or, with a limit, through `pivot` as far as the limit allows. A pivot less than 1 mm

@@ -15,10 +15,10 @@ constexpr double on_line = 1e-10;  // mm, a point this near to a line lies on it
 
 }  // namespace
 
-CentreArea::CentreArea(const Region& usable_area, double radius, Progress& progress)
-    : region_(usable_area.inward(radius, &progress)) {
+CentreArea::CentreArea(const Region& usable_area, double radius, Progress progress)
+    : region_(usable_area.inward(radius, progress)) {
   progress.report("potential", 0);
-  const CentreBorders fits = exact_fits(centre_borders(usable_area, radius, &progress), region_, &progress);
+  const CentreBorders fits = exact_fits(centre_borders(usable_area, radius, progress), region_, progress);
   edges_.assign(region_.edges().begin(), region_.edges().end());
   edges_.insert(edges_.end(), fits.pieces.begin(), fits.pieces.end());
   for (const Point corner : fits.corners) edges_.push_back(line(corner, corner));

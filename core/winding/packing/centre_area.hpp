@@ -7,11 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -19,7 +16,7 @@ class CentreArea {
  public:
   /// Contains all points of `usable_area` at least `radius` away from its boundary: areas, and the lines and points of
   /// exact fits. O((edges of usable area)²) and 4096 distances. Reports stage "potential".
-  CentreArea(const Region& usable_area, double radius, Progress& progress);
+  CentreArea(const Region& usable_area, double radius, Progress progress);
 
   bool empty() const { return edges_.empty(); }
   const Region& region() const { return region_; }  ///< the areas

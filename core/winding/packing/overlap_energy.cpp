@@ -129,7 +129,7 @@ void OverlapEnergy::share(std::span<const Point> wires, std::vector<double>& of_
   }
 }
 
-Rest Minimiser::minimise(OverlapEnergy& overlap, std::vector<Point>& wires, double goal, int most, Progress& progress) {
+Rest Minimiser::minimise(OverlapEnergy& overlap, std::vector<Point>& wires, double goal, int most, Progress progress) {
   const std::size_t n = wires.size();
   for (auto* list : {&gradient_, &trial_, &trial_gradient_, &direction_}) list->resize(n);
   for (std::size_t k = 0; k < memory; ++k) {

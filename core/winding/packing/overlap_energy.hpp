@@ -6,11 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/winding/packing/centre_area.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -60,7 +57,7 @@ constexpr double resolution = 4e-10;  ///< mm; smaller overlaps count as contact
 /// hardly fall below `goal`.
 class Minimiser {
  public:
-  Rest minimise(OverlapEnergy& overlap, std::vector<Point>& wires, double goal, int most, Progress& progress);
+  Rest minimise(OverlapEnergy& overlap, std::vector<Point>& wires, double goal, int most, Progress progress);
 
  private:
   static constexpr std::size_t memory = 5;

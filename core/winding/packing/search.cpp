@@ -15,7 +15,7 @@ constexpr std::size_t elite = 4;  // starts from which hops continue
 
 }  // namespace
 
-PackingSearch::PackingSearch(const CentreArea& usable_area, double distance, std::uint64_t seed, Progress& progress)
+PackingSearch::PackingSearch(const CentreArea& usable_area, double distance, std::uint64_t seed, Progress progress)
     : usable_area_(usable_area), energy_(usable_area, distance), random_(seed), progress_(progress) {
   if (usable_area.empty()) return;
   sides_ = winding::sides(usable_area.edges(), 1.5 * distance);

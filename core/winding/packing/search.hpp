@@ -18,7 +18,7 @@ namespace bahnwerk::winding {
 class PackingSearch {
  public:
   /// `distance` between centres, mm.
-  PackingSearch(const CentreArea& usable_area, double distance, std::uint64_t seed, Progress& progress);
+  PackingSearch(const CentreArea& usable_area, double distance, std::uint64_t seed, Progress progress);
 
   /// Returns `count` wires, or nothing after `work` (OverlapEnergy::work) or `tries` minimisations. `likely` are
   /// layouts of any number of wires for the start.
@@ -43,16 +43,16 @@ class PackingSearch {
     std::size_t idle = 0;  ///< hops since the last improvement
   };
   /// Reports the progress of the longest try in every stage.
-  class Steady final : public Progress {
+  class Steady final : public ProgressSink {
    public:
-    explicit Steady(Progress& to) : to_(to) {}
+    explicit Steady(Progress to) : to_(to) {}
     void report(std::string_view stage, double = 0, std::string_view message = {}) override {
       to_.report(stage, fraction_, message);
     }
     void reach(double fraction) { fraction_ = std::clamp(fraction, fraction_, 1.0); }
 
    private:
-    Progress& to_;
+    Progress to_;
     double fraction_ = 0;
   };
   /// Removes the wires with the largest overlap, or fills holes, until there are `count`.

@@ -64,7 +64,7 @@ double sharpest_curvature(const BezierPiece& piece) {
 LinkSearch::LinkSearch(const LinkOptions& options)
     : options_(options), rule_(options.continuity), fine_rule_(options.continuity, 256) {}
 
-FoundLink LinkSearch::find(const LinkEnds& ends, const std::optional<FoundLink>& known, Progress& progress) const {
+FoundLink LinkSearch::find(const LinkEnds& ends, const std::optional<FoundLink>& known, Progress progress) const {
   const LinkObjective objective = known ? known->objective : options_.objective;
   const FoundLink found = again(ends, known, objective, progress);
   return found.cusped() && objective == LinkObjective::control_distance
@@ -74,7 +74,7 @@ FoundLink LinkSearch::find(const LinkEnds& ends, const std::optional<FoundLink>&
 
 /// Searches from the link of the turn before, and succeeds if the result is about as smooth.
 FoundLink LinkSearch::again(const LinkEnds& ends, const std::optional<FoundLink>& known, LinkObjective objective,
-                            Progress& progress) const {
+                            Progress progress) const {
   if (!known) return search(ends, objective, progress);
   const FoundLink found = solve(ends, known->best.shape, objective, evaluations_from_a_neighbour, progress);
   return found.best.smoothness <= 1.5 * known->best.smoothness ? found : search(ends, objective, progress);
@@ -82,7 +82,7 @@ FoundLink LinkSearch::again(const LinkEnds& ends, const std::optional<FoundLink>
 
 /// Searches with a quadrature rule; `seen` becomes J by that rule.
 FoundLink LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& start,
-                         LinkObjective objective, std::size_t evaluations, Progress& progress, double& seen) const {
+                         LinkObjective objective, std::size_t evaluations, Progress progress, double& seen) const {
   FoundLink found{best_link(rule, ends, objective, options_.weights, start, progress, evaluations), objective, 0};
   seen = found.best.smoothness;
   found.bend = sharpest_curvature(link(options_.continuity, ends, found.best.shape));
@@ -94,7 +94,7 @@ FoundLink LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const
 /// A bend so sharp that it lies between the nodes of the quadrature looks smooth; if a finer rule gives a larger J, the
 /// search is repeated with that rule.
 FoundLink LinkSearch::solve(const LinkEnds& ends, const LinkShape& start, LinkObjective objective,
-                            std::size_t evaluations, Progress& progress) const {
+                            std::size_t evaluations, Progress progress) const {
   double seen = 0;
   const FoundLink found = by(rule_, ends, start, objective, evaluations, progress, seen);
   return found.best.smoothness <= 1.05 * seen ? found
@@ -103,7 +103,7 @@ FoundLink LinkSearch::solve(const LinkEnds& ends, const LinkShape& start, LinkOb
 
 /// Searches from several starts: links that leave their neighbours' tangents early or late. (4.60) prefers a wide loop,
 /// a far longer path, to a direct link; of the links that turn by about the least angle, the smoothest is taken.
-FoundLink LinkSearch::search(const LinkEnds& ends, LinkObjective objective, Progress& progress) const {
+FoundLink LinkSearch::search(const LinkEnds& ends, LinkObjective objective, Progress progress) const {
   std::vector<std::pair<double, BestLink>> found;
   double smoothest = unusable;
   const double chord = norm(place(ends.after[0]) - place(ends.before[0]));

@@ -4,11 +4,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/search/best_link.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -46,16 +43,16 @@ class LinkSearch {
   /// Returns the link. `known` is the link at this place of the turn before, which is nearly equal. (4.61) ignores the
   /// curvature of a link: where it leads to a cusp, that place has the smoothest link, from turn to turn. The result
   /// may still have a cusp. About 1.5 ms, 10 ms for the first turn.
-  FoundLink find(const LinkEnds& ends, const std::optional<FoundLink>& known, Progress& progress) const;
+  FoundLink find(const LinkEnds& ends, const std::optional<FoundLink>& known, Progress progress) const;
 
  private:
   FoundLink again(const LinkEnds& ends, const std::optional<FoundLink>& known, LinkObjective objective,
-                  Progress& progress) const;
+                  Progress progress) const;
   FoundLink solve(const LinkEnds& ends, const LinkShape& start, LinkObjective objective, std::size_t evaluations,
-                  Progress& progress) const;
+                  Progress progress) const;
   FoundLink by(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& start, LinkObjective objective,
-               std::size_t evaluations, Progress& progress, double& seen) const;
-  FoundLink search(const LinkEnds& ends, LinkObjective objective, Progress& progress) const;
+               std::size_t evaluations, Progress progress, double& seen) const;
+  FoundLink search(const LinkEnds& ends, LinkObjective objective, Progress progress) const;
 
   const LinkOptions& options_;
   SmoothnessRule rule_, fine_rule_;

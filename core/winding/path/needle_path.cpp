@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
-#include "core/base/progress_part.hpp"
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/link.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/winding/part/vec3.hpp"
@@ -120,7 +120,7 @@ class Maker {
   Maker(const std::vector<FixedPiece>& fixed, bool stator, const LinkOptions& options, const PostPassage* posts)
       : fixed_(fixed), stator_(stator), options_(options), posts_(posts), search_(options) {}
 
-  Expected<NeedlePath, NoPath> run(Progress& progress) {
+  Expected<NeedlePath, NoPath> run(Progress progress) {
     std::vector<BezierPiece> here = curve(fixed_.front(), options_.continuity);
     for (std::size_t i = 0;; ++i) {
       if (here.empty()) return NoPath{NoPath::Reason::no_length, i};
@@ -128,7 +128,7 @@ class Maker {
       if (i + 1 == fixed_.size()) return std::move(path_);
       std::vector<BezierPiece> next = curve(fixed_[i + 1], options_.continuity);
       const double done = static_cast<double>(i) / static_cast<double>(fixed_.size());
-      ProgressPart at(progress, "link", done, done);  // a search does not know when it ends
+      const Progress at = progress.part(done, done).named("link");  // a search does not know when it ends
       if (next.empty()) return NoPath{NoPath::Reason::no_length, i + 1};
       if (const auto none = join(i, here.back(), next.front(), at)) return *none;
       here = std::move(next);
@@ -152,7 +152,7 @@ class Maker {
   };
 
   /// Appends the links behind fixed piece i. Returns why there are none.
-  std::optional<NoPath> join(std::size_t i, const BezierPiece& before, const BezierPiece& after, Progress& progress) {
+  std::optional<NoPath> join(std::size_t i, const BezierPiece& before, const BezierPiece& after, Progress progress) {
     const FixedPiece &from = fixed_[i], &to = fixed_[i + 1];
     const SplineJet begin = before.at(1), end = after.at(0);
     const bool out = is_slot(from);
@@ -176,7 +176,7 @@ class Maker {
   /// distance from the posts with it; otherwise the first place beside the post with enough distance, or the one with
   /// the largest.
   template <class Links>
-  Both past_the_post(std::size_t i, const Way& way, const Links& links, Progress& progress) {
+  Both past_the_post(std::size_t i, const Way& way, const Links& links, Progress progress) {
     const ExtraPoint source = on_the_radius(way, options_.extra_point);
     if (posts_ == nullptr) return links(source);
     const auto room = [&](const Both& both, bool posts_only) {
@@ -197,7 +197,7 @@ class Maker {
     return best;
   }
 
-  std::optional<Found> find(std::size_t i, std::size_t part, const LinkEnds& ends, Progress& progress) {
+  std::optional<Found> find(std::size_t i, std::size_t part, const LinkEnds& ends, Progress progress) {
     const FixedPiece &from = fixed_[i], &to = fixed_[i + 1];
     if (!(norm(place(ends.after[0]) - place(ends.before[0])) > shortest)) return std::nullopt;
     // The link at this place of the turn before is nearly equal; that of a previous coil may be exactly equal.
@@ -247,7 +247,7 @@ std::vector<BezierPiece> NeedlePath::curves() const {
 NurbsPath NeedlePath::united() const { return bahnwerk::united(curves()); }
 
 Expected<NeedlePath, NoPath> needle_path(const std::vector<FixedPiece>& pieces, bool stator, const LinkOptions& options,
-                                         Progress& progress, const PostPassage* posts) {
+                                         Progress progress, const PostPassage* posts) {
   std::vector<InputFault> faults;
   if (options.continuity < 1 || options.continuity > 4)
     faults.push_back({{"path", "continuity"}, "is not a whole number from 1 to 4"});

@@ -5,14 +5,11 @@
 #include <vector>
 
 #include "core/base/expected.hpp"
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/nurbs_path.hpp"
 #include "core/winding/needle/support_points.hpp"
 #include "core/winding/path/link_search.hpp"
 #include "core/winding/path/post_passage.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -62,6 +59,6 @@ struct NoPath {
 /// path.continuity or path.extra_point. 1.5 ms per link of a
 /// stator, 1 ms of a rotor; beside posts the first turn takes up to 0.3 s more.
 Expected<NeedlePath, NoPath> needle_path(const std::vector<FixedPiece>& pieces, bool stator, const LinkOptions& options,
-                                         Progress& progress, const PostPassage* posts = nullptr);
+                                         Progress progress, const PostPassage* posts = nullptr);
 
 }  // namespace bahnwerk::winding

@@ -23,13 +23,13 @@ PostPassage::PostPassage(const StatorPart& part, const std::vector<Coil>& coils,
   for (const Coil& coil : coils) obstacles_.push_back(part_obstacles(part, slot, post, {coil}));
 }
 
-double PostPassage::from_posts(std::size_t coil, std::span<const BezierPiece> pieces, Progress& progress) const {
+double PostPassage::from_posts(std::size_t coil, std::span<const BezierPiece> pieces, Progress progress) const {
   const auto& all = obstacles_.at(coil).list();
   const std::vector<const Obstacle*> posts(all.begin() + 1, all.end());  // the stack is first
   return clearance_up_to(enough(), pieces, needle_, posts, tolerance, progress);
 }
 
-double PostPassage::from_all(std::size_t coil, std::span<const BezierPiece> pieces, Progress& progress) const {
+double PostPassage::from_all(std::size_t coil, std::span<const BezierPiece> pieces, Progress progress) const {
   return clearance_up_to(enough(), pieces, needle_, obstacles_.at(coil).list(), tolerance, progress);
 }
 

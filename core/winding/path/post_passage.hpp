@@ -9,13 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/bezier_piece.hpp"
 #include "core/winding/needle/part_obstacles.hpp"
 #include "core/winding/needle/support_points.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -42,9 +39,9 @@ class PostPassage {
   double enough() const { return clearance_ + 2 * tolerance; }
   /// Returns the least distance of the needle along these pieces from the posts of this coil, mm, proven to 0.001, or
   /// enough() if the distance is larger. 0.1 ms.
-  double from_posts(std::size_t coil, std::span<const BezierPiece> pieces, Progress& progress) const;
+  double from_posts(std::size_t coil, std::span<const BezierPiece> pieces, Progress progress) const;
   /// Returns the least distance from its posts and from the stack, enough() at most.
-  double from_all(std::size_t coil, std::span<const BezierPiece> pieces, Progress& progress) const;
+  double from_all(std::size_t coil, std::span<const BezierPiece> pieces, Progress progress) const;
 
   /// Number of places beside the post that are tried, those nearest to the slot's radius first.
   static constexpr std::size_t places = 12;

@@ -44,7 +44,7 @@ struct Point {
 class Quickener {
  public:
   Quickener(const std::vector<FixedPiece>& fixed, const NeedlePath& smooth, const NeedlePath& other,
-            const LinkOptions& options, const PieceTimer& time, Progress& progress)
+            const LinkOptions& options, const PieceTimer& time, Progress progress)
       : fixed_(fixed),
         other_(other),
         options_(options),
@@ -237,7 +237,7 @@ class Quickener {
   const NeedlePath& other_;
   const LinkOptions& options_;
   const PieceTimer& time_;
-  Progress& progress_;
+  Progress progress_;
   SmoothnessRule rule_;
   QuickLinks result_;
   std::vector<BezierPiece> curves_;
@@ -249,7 +249,7 @@ class Quickener {
 }  // namespace
 
 QuickLinks quick_links(const std::vector<FixedPiece>& pieces, const NeedlePath& smooth, const NeedlePath& other,
-                       const LinkOptions& options, const PieceTimer& time, Progress& progress) {
+                       const LinkOptions& options, const PieceTimer& time, Progress progress) {
   return Quickener(pieces, smooth, other, options, time, progress).run();
 }
 

@@ -5,11 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/winding/path/needle_path.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -32,6 +29,6 @@ struct QuickLinks {
 /// farther than before is rejected. Each link is faster by itself; the whole path has to be compared by the caller.
 /// `smooth` and `other` are paths of the same pieces with the same options. Throws what the timer throws.
 QuickLinks quick_links(const std::vector<FixedPiece>& pieces, const NeedlePath& smooth, const NeedlePath& other,
-                       const LinkOptions& options, const PieceTimer& time, Progress& progress);
+                       const LinkOptions& options, const PieceTimer& time, Progress progress);
 
 }  // namespace bahnwerk::winding

@@ -7,11 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::winding {
 
@@ -79,7 +76,7 @@ struct Slot {
 Slot make_slot(const StatorSlot&);
 Slot make_slot(const RotorSlot&);
 /// Asks `progress`, if there is one: with thousands of corners this takes a tenth of a second.
-Slot make_slot(const PolygonSlot&, Progress* progress = nullptr);
+Slot make_slot(const PolygonSlot&, Progress progress = {});
 
 /// Where a document draws a slot: the axes of slot coordinates in the document's.
 struct Placement {
@@ -96,6 +93,6 @@ struct UprightSlot {
   Placement drawn;
 };
 /// Throws as make_slot does.
-UprightSlot upright(const PolygonSlot&, Progress* progress = nullptr);
+UprightSlot upright(const PolygonSlot&, Progress progress = {});
 
 }  // namespace bahnwerk::winding

@@ -72,7 +72,7 @@ Opening opening_of(const Region& iron, const std::array<Point, 2>& ends, double 
 
 }  // namespace
 
-Slot make_slot(const PolygonSlot& s, Progress* progress) {
+Slot make_slot(const PolygonSlot& s, Progress progress) {
   SlotFaults faults;
   std::vector<Point> points = s.points;
   if (points.size() > 1 && points.front() == points.back()) points.pop_back();
@@ -106,7 +106,7 @@ Slot make_slot(const PolygonSlot& s, Progress* progress) {
   return slot;
 }
 
-UprightSlot upright(const PolygonSlot& s, Progress* progress) {
+UprightSlot upright(const PolygonSlot& s, Progress progress) {
   const Slot slot = make_slot(s, progress);
   UprightSlot turned{s, {}};
   if (!slot.opening) {

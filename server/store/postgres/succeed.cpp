@@ -61,7 +61,7 @@ void PostgresStore::store_piece(Statements& statements, const Attempt& attempt, 
 }
 
 bool PostgresStore::succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
-                            const SeenRevision& seen, Progress& progress) {
+                            const SeenRevision& seen, Progress progress) {
   const SetpointSource* source = planned.setpoints.get();
   const std::string document = pack_text(api::result_text(planned, progress));
   const auto columns = source ? std::optional(series_columns(*source)) : std::nullopt;

@@ -59,7 +59,7 @@ class SqliteStore final : public Store {
   std::vector<Held> heartbeat(const Lease& lease, const std::vector<Progressed>& attempts) override;
   bool end(const Attempt& attempt, const Ending& ending) override;
   bool succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now, const SeenRevision& seen,
-               Progress& progress) override;
+               Progress progress) override;
   bool requeue(const Attempt& attempt, std::int64_t now, std::uint64_t revision) override;
   Expired expire(std::int64_t now) override;
   std::vector<std::pair<std::string, std::int64_t>> callback_receivers() override;

@@ -31,7 +31,7 @@ void insert_piece(SqliteConnection& connection, std::int64_t seq, const SeriesPi
 }  // namespace
 
 bool SqliteStore::succeed(const Attempt& attempt, const api::PlannedJob& planned, std::int64_t now,
-                          const SeenRevision& seen, Progress& progress) {
+                          const SeenRevision& seen, Progress progress) {
   const std::string& id = attempt.id;
   const SetpointSource* source = planned.setpoints.get();
   const std::string document = pack_text(api::result_text(planned, progress));

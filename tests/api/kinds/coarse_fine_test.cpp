@@ -296,7 +296,7 @@ TEST(CoarseFine, TheTravelOfCoarseAxesIsHeld) {
   spec["machine"]["coarse"]["x"]["range"] = {60, 0};
   const auto refused = [&] {
     try {
-      SilentProgress silent;
+      Progress silent;
       find_kind("contour")->check(spec, silent);
     } catch (const Problem& problem) {
       return test::pointers(problem);
@@ -316,7 +316,7 @@ TEST(CoarseFine, ARangeThatIsTooShortIsNamed) {
   spec["machine"]["coarse"]["x"]["range"] = {0, 40};
   for (const char* method : {"joint", "geometric"}) {
     spec["machine"]["redundancy"] = {{"method", method}};
-    SilentProgress progress;
+    Progress progress;
     try {
       find_kind("contour")->plan(spec, progress);
       ADD_FAILURE() << method;

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 json result(const json& spec) {
-  SilentProgress progress;
+  Progress progress;
   return json::parse(test::checked(find_kind("contour")->plan(spec, progress)).result.dump());
 }
 

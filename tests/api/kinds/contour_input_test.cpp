@@ -178,7 +178,7 @@ TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
   json spec = example("points");
   for (int i = 1; i < 4; ++i) spec["contour"]["points"][i].push_back(0);
   try {
-    SilentProgress silent;
+    Progress silent;
     find_kind("contour")->check(spec, silent);
     FAIL();
   } catch (const Problem& problem) {

@@ -29,7 +29,7 @@ json example_spec(const std::string& name) {
 }
 
 TEST(ContourPlan, StraightLineHasTheClosedFormDuration) {
-  SilentProgress progress;
+  Progress progress;
   const auto job = planned(example_spec("line"), progress);
   const double v = 1800, a = 16000, length = 100;
   const double expected = v * v / a < length ? length / v + v / a : 2 * std::sqrt(length / a);
@@ -38,7 +38,7 @@ TEST(ContourPlan, StraightLineHasTheClosedFormDuration) {
 }
 
 TEST(ContourPlan, TheResultHasTheContractsForm) {
-  SilentProgress progress;
+  Progress progress;
   const auto job = planned(example_spec("bracket"), progress);
   const auto& result = job.result;
   std::vector<std::string> members;
@@ -77,7 +77,7 @@ TEST(ContourPlan, TheResultHasTheContractsForm) {
 }
 
 TEST(ContourPlan, BlocksAreInTheTimeOfTheSetpoints) {
-  SilentProgress progress;
+  Progress progress;
   json spec = example_spec("bracket");
   spec["machine"]["cycle_time"] = 0.02;  // slows the motion by up to 0.6 %
   const auto job = planned(spec, progress);
@@ -98,7 +98,7 @@ TEST(ContourPlan, BlocksAreInTheTimeOfTheSetpoints) {
 }
 
 TEST(ContourPlan, ModeAndBlockOnTheWire) {
-  SilentProgress progress;
+  Progress progress;
   const auto job = planned(example_spec("bracket"), progress);
   const auto answer = [&](SetpointQuery query, SetpointFormat format) {
     SetpointSeries series;
@@ -132,7 +132,7 @@ TEST(ContourPlan, ModeAndBlockOnTheWire) {
 }
 
 TEST(ContourPlan, BlendsWithinTheToleranceAndHoldsJerk) {
-  SilentProgress progress;
+  Progress progress;
   json spec = example("blend");
   const auto job = planned(spec, progress);
   EXPECT_TRUE(job.verified) << job.result["verification"].dump(1);
@@ -150,7 +150,7 @@ TEST(ContourPlan, BlendsWithinTheToleranceAndHoldsJerk) {
 }
 
 TEST(ContourPlan, DwellsCountInTheirBlocksAndAPlaneLeavesZAlone) {
-  SilentProgress progress;
+  Progress progress;
   json spec = example("dwell");
   const auto job = planned(spec, progress);
   ASSERT_TRUE(job.verified) << job.result["verification"].dump(1);
@@ -171,7 +171,7 @@ TEST(ContourPlan, DwellsCountInTheirBlocksAndAPlaneLeavesZAlone) {
 }
 
 TEST(ContourPlan, SaysWhichLimitsAreNotHeld) {
-  SilentProgress progress;
+  Progress progress;
   json spec = example("blend");
   spec["planning"] = {{"method", "time_optimal"}};
   const auto job = planned(spec, progress);
@@ -180,7 +180,7 @@ TEST(ContourPlan, SaysWhichLimitsAreNotHeld) {
 }
 
 TEST(ContourPlan, TheSameDocumentGivesTheSameBits) {
-  SilentProgress progress;
+  Progress progress;
   for (const char* name : {"bracket", "polyline"}) {
     const auto first = planned(example_spec(name), progress), second = planned(example_spec(name), progress);
     EXPECT_EQ(first.result.dump(), second.result.dump());
@@ -193,7 +193,7 @@ TEST(ContourPlan, TheSameDocumentGivesTheSameBits) {
 }
 
 TEST(ContourPlan, EveryExampleIsVerifiedByBothMethods) {
-  SilentProgress progress;
+  Progress progress;
   for (const auto& file : test::json_files("examples"))
     for (const char* method : {"time_optimal", "braking_reserve"}) {
       json document = test::read_json(file);
@@ -210,7 +210,7 @@ TEST(ContourPlan, EveryExampleIsVerifiedByBothMethods) {
 }
 
 /// Asks to stop at the first report after the start.
-struct Impatient final : Progress {
+struct Impatient final : ProgressSink {
   int reports = 0;
   void report(std::string_view, double, std::string_view) override {
     if (++reports == 2) throw Stopped(StopReason::budget);

@@ -91,7 +91,7 @@ TEST(FillFactorInput, NamesWiresOfTheSeriesAskedFor) {
 }
 
 TEST(FillFactorPlan, ResultHasTheContractsForm) {
-  SilentProgress silent;
+  Progress silent;
   json spec = example("wires");
   spec["algorithms"] = {"potential", "needle"};
   spec["overlap_tolerance"] = nullptr;
@@ -118,7 +118,7 @@ TEST(FillFactorPlan, ResultHasTheContractsForm) {
 }
 
 TEST(FillFactorPlan, NeedleTellsOfAllFourRegions) {
-  SilentProgress silent;
+  Progress silent;
   json spec = example("rotor");
   spec["algorithms"] = {"needle"};
   const auto layout = planned(spec, silent).result["details"]["layouts"][0];
@@ -129,7 +129,7 @@ TEST(FillFactorPlan, NeedleTellsOfAllFourRegions) {
 }
 
 TEST(FillFactorPlan, ARotorsNeedlePassesBetweenThePoles) {
-  SilentProgress silent;
+  Progress silent;
   json spec = example("rotor");
   spec["algorithms"] = {"needle"};
   const auto gap = [&](json heads) {
@@ -176,7 +176,7 @@ TEST(FillFactorInput, WiresThatFillASlotExactlyAreTaken) {
                        {"wires", {{{"copper", 0.9}, {"outer", 1.0}}}},
                        {"overlap_tolerance", 0},
                        {"drawings", false}};
-    SilentProgress silent;
+    Progress silent;
     const PlannedJob job = planned(spec, silent);
     EXPECT_TRUE(job.verified);
     EXPECT_EQ(job.result["summary"]["count"], width * height);
@@ -217,7 +217,7 @@ TEST(FillFactorInput, ACoilSpansHalfATurnAtMost) {
 }
 
 TEST(FillFactorPlan, SaysWhatBlocksTheNeedle) {
-  SilentProgress silent;
+  Progress silent;
   json spec = example("complete");
   for (const char* member : {"robustness", "turns", "wire_range"}) spec.erase(member);
   spec["wires"] = {0.9};
@@ -255,7 +255,7 @@ json wide_slot(const json& turns) {
 }
 
 TEST(FillFactorPlan, ProducibleIsAskedOfTheTurnsThatAreWanted) {
-  SilentProgress silent;
+  Progress silent;
   const auto of = [&](const json& turns) { return json(planned(wide_slot(turns), silent).result); };
   const json all = of({{"serial", nullptr}, {"parallel", 1}});
   const json layout = all["details"]["layouts"][0];
@@ -277,7 +277,7 @@ TEST(FillFactorPlan, ProducibleIsAskedOfTheTurnsThatAreWanted) {
 }
 
 TEST(FillFactorPlan, AWireDoesNotRunInANeedleThinnerThanItself) {
-  SilentProgress silent;
+  Progress silent;
   json spec = example("complete");
   for (const char* member : {"robustness", "turns", "wire_range"}) spec.erase(member);
   spec["wires"] = {0.71, 1.25};
@@ -297,7 +297,7 @@ TEST(FillFactorPlan, AWireDoesNotRunInANeedleThinnerThanItself) {
 
 TEST(FillFactorPlan, ASlotWhoseMouthIsTheBoresArcIsFilled) {
   // 10 mm wide, 14 mm deep, fully open to a bore of 40 mm, whose arc dips 0.31 mm into it.
-  SilentProgress silent;
+  Progress silent;
   json points = json::array();
   const double up = 14 + std::sqrt(40.0 * 40 - 25);
   for (int k = 0; k <= 10; ++k) points.push_back({5 - k, up - std::sqrt(40.0 * 40 - (5 - k) * (5 - k))});
@@ -317,7 +317,7 @@ TEST(FillFactorPlan, ASlotWhoseMouthIsTheBoresArcIsFilled) {
 }
 
 TEST(FillFactorPlan, RobustnessIsADistribution) {
-  SilentProgress silent;
+  Progress silent;
   json spec = example("rotor");
   spec["algorithms"] = {"needle"};
   spec["robustness"] = {{"samples", 12}, {"slot_tolerance", 0.05}};

@@ -35,7 +35,7 @@ json barrel() {
 }
 /// Returns the pointers of what makes a plan impossible, and its message.
 std::pair<std::vector<std::string>, std::string> refusal(const json& spec) {
-  SilentProgress silent;
+  Progress silent;
   try {
     find_kind("motion_law")->plan(spec, silent);
   } catch (const InfeasibleAt& error) {
@@ -179,7 +179,7 @@ TEST(MotionLawLoad, TheShortestCycleWithinATorqueUsesIt) {
 TEST(MotionLawLoad, ATorqueThatASpringExceedsIsRefusedByName) {
   json spec = swivel_table();
   spec["load"]["spring"] = 0.2, spec["drive"] = {{"torque", 1}};
-  SilentProgress silent;
+  Progress silent;
   std::vector<std::vector<std::string>> places;
   try {
     find_kind("motion_law")->plan(spec, silent);
@@ -207,7 +207,7 @@ TEST(MotionLawLoad, DriveLimitsHoldInAGivenCycle) {
 TEST(MotionLawLoad, ATorqueThatExcludesEveryLawIsNamedItself) {
   json spec = swivel_table();
   spec["drive"] = {{"torque", 2}};
-  SilentProgress silent;
+  Progress silent;
   try {
     find_kind("motion_law")->plan(spec, silent);
     ADD_FAILURE() << "planned";

@@ -150,7 +150,7 @@ TEST(ProbePath, TooManySetpointsAreRefusedAtTheCycleTime) {
   json slow = spec({{0, 0}, {900000, 0}}, 0.1, "arcs");
   slow["speed"] = 1;
   slow["cycle_time"] = 1e-5;
-  SilentProgress silent;
+  Progress silent;
   try {
     find_kind("probe_path")->plan(slow, silent);
     FAIL();

@@ -105,7 +105,7 @@ TEST(Results, KeepTheirSchemaForRandomDocuments) {
 }
 
 TEST(Results, TheSchemaNoticesWhatIsWrong) {
-  SilentProgress progress;
+  Progress progress;
   const auto request = parse_job(test::read_file(test::source("examples/line.json")));
   const auto good = plan_job(request.kind, request.document, progress).result;
   EXPECT_EQ(test::result_faults(good), std::vector<std::string>{});

@@ -123,7 +123,7 @@ TEST(SlotVerdict, BothKindsHaveOneForEverySlot) {
         SCOPED_TRACE(wound.name + ", " + std::to_string(copper) + ", pivot " + pivot.dump());
         const json wire{{"copper", copper}, {"outer", copper + 0.08}};
         const json needle{{"width", 1.5}, {"pivot_limit", pivot}};
-        SilentProgress silent;
+        Progress silent;
         const json filled = find_kind("fill_factor")->plan(fill_of(wound, wire, needle), silent).result;
         const json wind = find_kind("winding")->plan(winding_of(wound, wire, needle), silent).result;
         const json &places = filled["details"]["layouts"][0], &layout = wind["details"]["layout"];
@@ -145,7 +145,7 @@ TEST(SlotVerdict, ADrawnSlotNeedsNoRadius) {
   const auto layout = [&](const json& heads) {
     json spec = fill_of(wound, 0.8, {{"width", 1.6}, {"pivot_limit", nullptr}});
     spec["heads"] = heads;
-    SilentProgress silent;
+    Progress silent;
     return json(find_kind("fill_factor")->plan(spec, silent).result)["details"]["layouts"][0];
   };
   const json assumed = layout(json::object());
@@ -160,7 +160,7 @@ TEST(SlotVerdict, ATurnedDrawingTakesTheSameWires) {
     const Wound wound{"", tipped(6, 4, 13, 2.8, 0.8, 1.2, turned), {{"type", "stator"}}};
     json spec = fill_of(wound, 0.8, {{"width", 1.6}, {"pivot_limit", nullptr}});
     spec["algorithms"] = {"orthocyclic_base", "raabe", "needle"};
-    SilentProgress silent;
+    Progress silent;
     return json(find_kind("fill_factor")->plan(spec, silent).result)["details"];
   };
   const json upright = filled(0);

@@ -29,7 +29,7 @@ inline const test::SpecPlanner planned("winding");
 /// The problem that a job with this spec ends with.
 inline std::string problem_of(const nlohmann::json& spec, std::string_view slug) {
   try {
-    SilentProgress silent;
+    Progress silent;
     find_kind("winding")->plan(spec, silent);
   } catch (...) {
     const Problem problem = problem_from_current_exception();

@@ -59,7 +59,7 @@ TEST(WindingExport, IndependentEvaluationConfirmsJointsAndArcs) {
     spec["coil"]["turns"] = 1;
     for (const std::string objective : {"curvature", "minimum_time"}) {
       spec["path"]["objective"] = objective;
-      SilentProgress silent;
+      Progress silent;
       const json details = test::checked(find_kind("winding")->plan(spec, silent)).result["details"];
       json document = details["path"];
       if (name == "stator_coil") document["circles"] = circles(details);

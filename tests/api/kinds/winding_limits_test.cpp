@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 bool verified(const json& spec) {
-  SilentProgress silent;
+  Progress silent;
   try {
     return find_kind("winding")->plan(spec, silent).verified;
   } catch (const std::exception&) {

@@ -143,7 +143,7 @@ TEST(WindingPlan, RangesAreToldInDegrees) {
 /// The document's problem, and the pointer of its first error.
 std::pair<std::string, std::string> refused_at(const json& spec) {
   try {
-    SilentProgress silent;
+    Progress silent;
     find_kind("winding")->plan(spec, silent);
   } catch (...) {
     const Problem problem = problem_from_current_exception("/spec");

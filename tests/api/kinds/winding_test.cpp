@@ -59,7 +59,7 @@ TEST(WindingPlan, SaysAsKindFillFactorDoesThatAWireIsPushedOut) {
                   {"heads", heads},
                   {"turns", {{"serial", 16}, {"parallel", 1}}},
                   {"drawings", false}};
-  SilentProgress silent;
+  Progress silent;
   const json layout = json(find_kind("fill_factor")->plan(fill, silent).result)["details"]["layouts"][0];
   EXPECT_EQ(said["details"]["layout"]["regions"]["slot"]["positions"], layout["positions"]);
   for (const char* member : {"producible", "slips", "blocked_by", "windable"})
@@ -182,7 +182,7 @@ TEST(WindingPlan, ANeedleThatComesTooNearFails) {
   spec["feed"] = {{"method", "optimised"}};
   spec["path"]["extra_point"] = 0;  // links that bend before they are out of the slot
   spec["needle"] = {{"width", 3.0}, {"pivot_limit", 10}, {"clearance", 0}};
-  SilentProgress silent;
+  Progress silent;
   const PlannedJob job = test::checked(find_kind("winding")->plan(spec, silent));
   EXPECT_FALSE(job.verified);
   EXPECT_LT(job.result["details"]["clearance"]["minimum"].get<double>(), 0);

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-SilentProgress silent;
+Progress silent;
 
 std::string only_message(const std::string& schema, const std::string& document) {
   const auto errors = explain(json::parse(schema), json::parse(document), "", 50, silent);

@@ -64,7 +64,7 @@ TEST(Schema, ASchemaMayReferToItself) {
 }
 
 TEST(Schema, AsksEveryFewThousandValues) {
-  struct Counts final : Progress {
+  struct Counts final : ProgressSink {
     void report(std::string_view, double, std::string_view) override { ++asked; }
     int asked = 0;
   } counts;

@@ -37,7 +37,7 @@ double thread_seconds() {
 
 /// The time before every report, by the stage that was shown meanwhile. Planners are deterministic: over several runs
 /// each report has its place, and what a busy machine added to one run another did not.
-class GapMeter final : public Progress {
+class GapMeter final : public ProgressSink {
  public:
   struct Gap {
     std::string stage, until;
@@ -139,7 +139,7 @@ TEST(StagesOfKinds, EveryKindEntersLargeDocuments) {
 }
 
 /// Stops at the k-th report; a k beyond the last counts them.
-struct StopAt final : Progress {
+struct StopAt final : ProgressSink {
   explicit StopAt(int at) : left(at) {}
   void report(std::string_view stage, double, std::string_view) override {
     ++reports;

@@ -148,7 +148,7 @@ TEST(ParseJson, EstimatesMemoryFromAbove) {
 }
 
 TEST(ParseJson, AsksProgress) {
-  struct Counter : Progress {
+  struct Counter : ProgressSink {
     void report(std::string_view stage, double, std::string_view) override {
       EXPECT_EQ(stage, "read");
       if (++reports == 3) throw std::runtime_error("stop");

@@ -10,7 +10,7 @@
 namespace bahnwerk {
 namespace {
 
-struct Recorded final : Progress {
+struct Recorded final : ProgressSink {
   void report(std::string_view stage, double fraction, std::string_view) override {
     stages.emplace_back(stage);
     fractions.push_back(fraction);
@@ -21,7 +21,7 @@ struct Recorded final : Progress {
 
 TEST(ProgressScope, WorkIsReportedSeldomAndAtTheFractionDone) {
   Recorded whole;
-  ProgressScope scope(whole, "verify", 0.2, 0.6);
+  ProgressScope scope(Progress(whole).part(0.2, 0.6), "verify");
   for (int i = 0; i < 100'000; ++i) scope.work();
   EXPECT_EQ(whole.fractions.size(), 100'000u / 8192);
   scope.done(0.5);
@@ -33,7 +33,7 @@ TEST(ProgressScope, WorkIsReportedSeldomAndAtTheFractionDone) {
 
 TEST(ProgressScope, PartsLieWithinTheStage) {
   Recorded whole;
-  ProgressScope scope(whole, "planning", 0.5, 1);
+  ProgressScope scope(Progress(whole).part(0.5, 1), "planning");
   scope.part(0, 0.2);
   EXPECT_DOUBLE_EQ(whole.fractions.back(), 0.5);
   scope.now(16, 32);
@@ -48,7 +48,7 @@ TEST(ProgressScope, PartsLieWithinTheStage) {
 
 TEST(ProgressScope, StepsBetweenReportsAreSilent) {
   Recorded whole;
-  ProgressScope scope(whole, "planning", 0, 1);
+  ProgressScope scope(whole, "planning");
   for (std::size_t i = 1; i < 16; ++i) scope.now(i, 100);
   for (std::size_t i = 1; i < 1 << 14; ++i) scope(i, 1 << 15);
   EXPECT_TRUE(whole.fractions.empty());

@@ -45,8 +45,8 @@ TEST(RowCheck, AllChecksShareOnePass) {
   const Numbers numbers(5000);
   RowChecks all;
   for (const bool reads : {true, false, true}) all.push_back(std::make_unique<Sum>(reads));
-  SilentProgress progress;
-  ProgressScope scope(progress, "rows", 0, 1);
+  Progress progress;
+  ProgressScope scope(progress, "rows");
   read_rows(numbers, all, scope);
   for (const int times : numbers.computed) ASSERT_EQ(times, 1);
   EXPECT_EQ(all[0]->checks()[0].value, 4999 * 2500.0);
@@ -58,16 +58,16 @@ TEST(RowCheck, NoRowIsComputedWithoutAReader) {
   const Numbers numbers(10);
   RowChecks all;
   all.push_back(std::make_unique<Sum>(false));
-  SilentProgress progress;
-  ProgressScope scope(progress, "rows", 0, 1);
+  Progress progress;
+  ProgressScope scope(progress, "rows");
   read_rows(numbers, all, scope);
   EXPECT_EQ(numbers.computed, std::vector<int>(10, 0));
 }
 
 TEST(RowCheck, OneAloneReadsTheSeriesForItself) {
   const Numbers numbers(3);
-  SilentProgress progress;
-  ProgressScope scope(progress, "rows", 0, 1);
+  Progress progress;
+  ProgressScope scope(progress, "rows");
   EXPECT_EQ(check_rows(numbers, std::make_unique<Sum>(true), scope).at(0).value, 3);
 }
 

@@ -31,7 +31,7 @@ MotionLawProblem strokes(bool periodic) {
 }
 
 TEST(Travel, ALawThatRestsWhereTheCycleClosesIsTheOpenOne) {
-  SilentProgress progress;
+  Progress progress;
   const OptimalLaw open = plan_optimal_law(strokes(false), progress),
                    onward = plan_optimal_law(strokes(true), progress);
   EXPECT_NEAR(onward.solution.value.objective, open.solution.value.objective, 1e-7 * open.solution.value.objective);
@@ -41,7 +41,7 @@ TEST(Travel, ALawThatRestsWhereTheCycleClosesIsTheOpenOne) {
 }
 
 TEST(Travel, ActiveSetPlansTheOpenLawWhereItRests) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem open = strokes(false), onward = strokes(true);
   open.points[1].section[1] = onward.points[1].section[1] = {};
   const LawSolution a = *solve_active_set(open, angles(open), progress);
@@ -51,7 +51,7 @@ TEST(Travel, ActiveSetPlansTheOpenLawWhereItRests) {
 }
 
 TEST(Travel, AnotherFirstPointChangesNothing) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem one =
       problem(100, true, {point(10, 2, {number(0)}), point(45, 3, {number(30)}), point(80, 2, {number(35)})});
   one.travel = 50;
@@ -70,7 +70,7 @@ TEST(Travel, AnotherFirstPointChangesNothing) {
 }
 
 TEST(Travel, WithVelocityAloneTheLeastJIsThatOfAStraightLine) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem line = problem(100, true, {point(0, 2, {number(0)}), point(50, 2, {{20, 40}})});
   line.travel = 60;
   line.degree = 5;
@@ -81,7 +81,7 @@ TEST(Travel, WithVelocityAloneTheLeastJIsThatOfAStraightLine) {
 }
 
 TEST(Travel, TheShortestCycleOfAnIndexingTableIsInClosedForm) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem table = problem(3, true, {rest(0, 0), rest(1, 60)});
   table.travel = 60;
   table.method = LawMethod::optimal;
@@ -93,7 +93,7 @@ TEST(Travel, TheShortestCycleOfAnIndexingTableIsInClosedForm) {
 }
 
 TEST(Travel, AStraightSectionOverTheEndOfTheCycleHasItsMeanVelocity) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem knife = problem(400, true, {point(20, 2, {number(14.4)}), point(380, 2, {number(345.6)})});
   knife.travel = 360;
   knife.points[1].law = ClassicalLaw::straight;  // from 380 to 420, at 28.8 in 40

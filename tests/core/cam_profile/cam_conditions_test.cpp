@@ -12,7 +12,7 @@ namespace {
 using test::deg;
 
 LeastRadius least(const CamGeometry& g, const CamLaw& law, double unit = 1) {
-  SilentProgress silent;
+  Progress silent;
   const auto found = least_base_radius(g, FollowerLaw(law, unit), cam_conditions(g), silent);
   EXPECT_TRUE(found);
   EXPECT_LE(found->excluded, found->base_radius);
@@ -59,7 +59,7 @@ TEST(CamConditions, NoSmallerRadiusOfAnOscillatingFollowerKeepsTheLimits) {
   for (const bool clockwise : {false, true}) {
     g.clockwise = clockwise;
     const LeastRadius found = least(g, law, deg);
-    SilentProgress silent;
+    Progress silent;
     const FollowerLaw follower(law, deg);
     const CamFigures at = cam_figures(g, follower, found.base_radius, silent);
     EXPECT_LE(std::max(at.pressure_angle.value, -at.pressure_angle_back.value), 35 * deg + 1e-9);

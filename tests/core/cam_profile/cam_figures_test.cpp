@@ -11,7 +11,7 @@ namespace {
 using test::deg;
 
 CamFigures figures(const CamGeometry& g, const CamLaw& law, double base, double unit = 1) {
-  SilentProgress silent;
+  Progress silent;
   return cam_figures(g, FollowerLaw(law, unit), base, silent);
 }
 

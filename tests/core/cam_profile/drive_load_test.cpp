@@ -11,7 +11,7 @@ namespace {
 /// Rises by 30 units in the first half of 0.4 s and falls in the second one, by the polynomial of degree 5.
 CamLaw up_and_down() { return {{0, 0.2, 0.4}, {{0, {0, 0, 0, 30, 30, 30}}, {1, {30, 30, 30, 0, 0, 0}}}, true}; }
 LoadFigures figures(const DriveLoad& load, const CamLaw& law = up_and_down()) {
-  SilentProgress silent;
+  Progress silent;
   return load_figures(linear_load(load), law, silent);
 }
 

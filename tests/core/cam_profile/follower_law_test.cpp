@@ -24,7 +24,7 @@ TEST(FollowerLaw, DerivativesAreByTheCamsAngle) {
 TEST(FollowerLaw, NoSampleIsAboveTheCertifiedMaximum) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> coefficient(-10, 10);
-  SilentProgress silent;
+  Progress silent;
   for (int n = 0; n < bahnwerk::testing::cases(40); ++n) {
     std::vector<LawPiece> pieces;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -16,7 +16,7 @@ Point at(const NurbsPath& curve, double angle) {
 }
 
 TEST(ProfileCurve, AHarmonicLawUnderAFlatFaceIsACircleWithinTheTolerance) {
-  SilentProgress silent;
+  Progress silent;
   CamGeometry g;
   g.follower = FollowerType::flat, g.tolerance = 1e-4;
   const FollowerLaw law(test::rise_and_return(ClassicalLaw::simple_harmonic, 20, 180, 0, 180, 0), 1);
@@ -25,7 +25,7 @@ TEST(ProfileCurve, AHarmonicLawUnderAFlatFaceIsACircleWithinTheTolerance) {
 }
 
 TEST(ProfileCurve, DerivativesAreThoseByDifferences) {
-  SilentProgress silent;
+  Progress silent;
   CamGeometry radial, swinging, flat, barrel;
   radial.roller_radius = swinging.roller_radius = barrel.roller_radius = 9;
   radial.offset = 4, radial.clockwise = true;
@@ -46,7 +46,7 @@ TEST(ProfileCurve, DerivativesAreThoseByDifferences) {
 }
 
 TEST(ProfileCurve, TheRollersCentreIsOneRadiusAway) {
-  SilentProgress silent;
+  Progress silent;
   CamGeometry g;
   g.roller_radius = 9;
   const FollowerLaw law(test::rise_and_return(ClassicalLaw::modified_sine, 18, 110, 40, 130, 80), 1);

@@ -22,7 +22,7 @@ Machine machine(double jerk = unlimited) {
 }
 
 Contour blended(const Contour& given, double tolerance, double jerk = unlimited) {
-  SilentProgress progress;
+  Progress progress;
   return blend(given, {tolerance}, machine(jerk), progress);
 }
 
@@ -218,7 +218,7 @@ TEST(Blend, CornersThatDoNotFitAreRoundedLess) {
   Machine slow;
   slow.axes = {{"x", 100, 1000, unlimited}, {"y", 100, 1000, unlimited}};
   const Contour given = b.finish();
-  SilentProgress progress;
+  Progress progress;
   const Path path = blend(given, {0.02}, slow, progress).path;
   EXPECT_EQ(path.size(), 3u);  // rounded all the same
   double worst = 0;
@@ -258,7 +258,7 @@ TEST(Blend, RefusesMeaninglessTolerances) {
 }
 
 TEST(Blend, StopsWhenTold) {
-  struct Impatient final : Progress {
+  struct Impatient final : ProgressSink {
     int calls = 0;
     void report(std::string_view, double, std::string_view) override {
       if (++calls > 3) throw Stopped(StopReason::cancelled);

@@ -17,7 +17,7 @@ Strand line(Vec from, Vec to) {
 }
 
 std::vector<StrandChain> chained(const std::vector<Strand>& strands, double tolerance = 0.01) {
-  SilentProgress silent;
+  Progress silent;
   return chains(strands, tolerance, silent);
 }
 

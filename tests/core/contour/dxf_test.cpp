@@ -168,7 +168,7 @@ TEST(Dxf, SameTextSameContour) {
 }
 
 /// Progress that gives up at the n-th call.
-class Stopping final : public Progress {
+class Stopping final : public ProgressSink {
  public:
   explicit Stopping(int calls) : left_(calls) {}
   void report(std::string_view, double, std::string_view) override {

@@ -271,7 +271,7 @@ TEST(Gcode, RepeatedPlacesAreNoMoves) {
 }
 
 TEST(Gcode, ProgressMayStopIt) {
-  struct Stop final : Progress {
+  struct Stop final : ProgressSink {
     int left = 3;
     void report(std::string_view, double, std::string_view) override {
       if (--left == 0) throw Stopped(StopReason::cancelled);

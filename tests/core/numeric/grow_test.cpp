@@ -11,14 +11,14 @@
 namespace bahnwerk {
 namespace {
 
-struct Counted final : Progress {
+struct Counted final : ProgressSink {
   void report(std::string_view, double, std::string_view) override { ++reports; }
   int reports = 0;
 };
 
 TEST(Grow, KeepsTheValuesAndReportsWhileItCopies) {
   Counted progress;
-  ProgressScope stage_progress(progress, "planning", 0, 1);
+  ProgressScope stage_progress(progress, "planning");
   UnsetVector<double> values(1'000'000);
   std::iota(values.begin(), values.end(), 0.0);
   const std::size_t more = values.capacity() + 1;
@@ -31,7 +31,7 @@ TEST(Grow, KeepsTheValuesAndReportsWhileItCopies) {
 
 TEST(Grow, DoesNothingWhereThereIsRoom) {
   Counted progress;
-  ProgressScope stage_progress(progress, "planning", 0, 1);
+  ProgressScope stage_progress(progress, "planning");
   std::vector<int> values{1, 2, 3};
   values.reserve(10);
   const int* const at = values.data();

@@ -29,17 +29,17 @@ Machine machine(std::size_t dimension = 2) {
 }
 
 Contour blended(const Contour& given, double tolerance) {
-  SilentProgress progress;
+  Progress progress;
   return blend(given, {tolerance}, machine(given.dimension), progress);
 }
 
 double duration(const Contour& contour) {
-  SilentProgress progress;
+  Progress progress;
   return plan_acceleration_limited(contour, machine(contour.dimension), {}, progress).law.duration();
 }
 
 Check tube(const Contour& given, const Contour& path, double tolerance) {
-  SilentProgress progress;
+  Progress progress;
   return tube_checks(given, path, tolerance, progress).back();
 }
 
@@ -196,7 +196,7 @@ Contour spiral(int arcs, double grows) {
 }
 
 TEST(BlendDuration, TangentArcsAreRoundedWhereJerkAllowsIt) {
-  SilentProgress progress;
+  Progress progress;
   for (const double grows : {0.02, 0.15})
     for (const double jerk : {1e5, 1e6, 1e7, 1e9}) {
       const Contour given = spiral(60, grows);

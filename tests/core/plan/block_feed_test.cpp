@@ -179,7 +179,7 @@ TEST_P(BlockFeeds, HoldInEveryRow) {
         planning.method = method;
         planning.corner_mode = corner;
         planning.blend_tolerance = corner == CornerMode::blend ? tolerance : 0;
-        SilentProgress progress;
+        Progress progress;
         const ContourPlan plan = plan_contour(given, machine, planning, progress);
         EXPECT_TRUE(plan.verification.passed) << failures(plan.verification);
         if (method != PlanningMethod::braking_reserve) {
@@ -203,7 +203,7 @@ TEST_P(FreeForm, RoundedContoursAreVerified) {
     planning.method = seed % 5 ? PlanningMethod::time_optimal : PlanningMethod::braking_reserve;
     planning.corner_mode = CornerMode::blend;
     planning.blend_tolerance = std::pow(10, random.uniform(-3, -0.5));
-    SilentProgress progress;
+    Progress progress;
     const ContourPlan plan = plan_contour(given, machine_of(random), planning, progress);
     EXPECT_TRUE(plan.verification.passed)
         << "seed " << seed << " tolerance " << planning.blend_tolerance << ": " << failures(plan.verification);
@@ -240,7 +240,7 @@ TEST(BlockFeed, AShortSlowBlockInASectionStaysSlow) {
   planning.method = PlanningMethod::time_optimal;
   planning.corner_mode = CornerMode::blend;
   planning.blend_tolerance = 0.02;
-  SilentProgress progress;
+  Progress progress;
   const ContourPlan plan = plan_contour(given, quick_machine(), planning, progress);
   EXPECT_TRUE(plan.verification.passed) << failures(plan.verification);
   EXPECT_NEAR(plan.blocks[1].length, 0.2, 0.04);
@@ -250,7 +250,7 @@ TEST(BlockFeed, AShortSlowBlockInASectionStaysSlow) {
 
 /// A planner that believes in `driven` is verified against `given`.
 Verification verify(const Contour& given, const Contour& driven) {
-  SilentProgress progress;
+  Progress progress;
   const Machine machine = quick_machine();
   const TimeLaw law = plan_acceleration_limited(driven, machine, {}, progress).law;
   ContourVerifierInput input{driven, machine, law, 0.1 * pi / 180};
@@ -260,7 +260,7 @@ Verification verify(const Contour& given, const Contour& driven) {
 
 TEST(BlockFeed, TheGivenFeedsCount) {
   const Contour given = slow_between_fast();
-  SilentProgress progress;
+  Progress progress;
   const Contour rounded = blend(given, {0.02}, quick_machine(), progress);
   EXPECT_TRUE(verify(given, rounded).passed) << failures(verify(given, rounded));
   Contour hasty = rounded;

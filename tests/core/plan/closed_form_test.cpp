@@ -21,7 +21,7 @@ Machine machine(double velocity, double acceleration, std::size_t dimension = 2)
 }
 
 ContourPlan plan(Contour contour, const Machine& m, PlanningMethod method = PlanningMethod::time_optimal) {
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.method = method;
   return plan_contour(std::move(contour), m, planning, progress);
@@ -125,7 +125,7 @@ TEST(Reference, CircleBetweenTwoLines) {
 
 TEST(Reference, CircleReachesItsSpeedLimitAndNeverPassesIt) {
   // With a reserve K_b the circle's limit is √(K_b A r) where an axis points along the radius.
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.braking_reserve = 0.7;
   const Machine m = machine(1800, 16000);

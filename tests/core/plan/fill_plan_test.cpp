@@ -32,7 +32,7 @@ const FilledLayout& of(const FillPlan& plan, Algorithm algorithm, std::size_t wi
 }
 
 /// Whether progress never goes back and the planner stops where it is told to.
-class Watch final : public Progress {
+class Watch final : public ProgressSink {
  public:
   explicit Watch(double stop = 2) : stop_(stop) {}
   void report(std::string_view stage, double fraction, std::string_view) override {
@@ -71,7 +71,7 @@ TEST(FillPlan, OrderingsOfTheSource) {
 TEST(FillPlan, TheSearchKeepsTheAllowedOverlap) {
   FillRequest request = stator({1.0});
   request.algorithms = {Algorithm::potential};
-  SilentProgress silent;
+  Progress silent;
   const FillPlan source = plan_fill(request, silent);
   const winding::Wire& wire = request.wires.front();
   EXPECT_NEAR(source.layouts[0].overlap, 0.5 * wire.tolerance * wire.radius(), 1e-15);
@@ -85,7 +85,7 @@ TEST(FillPlan, TheSearchKeepsTheAllowedOverlap) {
 TEST(FillPlan, SameRequestSameBits) {
   FillRequest request = stator({1.6});
   request.sampling = {2, std::nullopt, 0.05};
-  SilentProgress silent;
+  Progress silent;
   const FillPlan a = plan_fill(request, silent), b = plan_fill(request, silent);
   for (std::size_t i = 0; i < a.layouts.size(); ++i) {
     EXPECT_EQ(a.layouts[i].layout.wires, b.layouts[i].layout.wires);
@@ -115,7 +115,7 @@ TEST(FillPlan, SamplesSpreadAroundTheNominalCount) {
   FillRequest request = stator({0.9});
   request.algorithms = {Algorithm::needle};
   request.sampling = {40, 0.04, 0.1};
-  SilentProgress silent;
+  Progress silent;
   const FillPlan plan = plan_fill(request, silent);
   const FilledLayout& filled = plan.layouts[0];
   ASSERT_EQ(filled.sampled.size(), 40u);
@@ -131,7 +131,7 @@ TEST(FillPlan, TellsWhatDoesNotPassTheOpening) {
   FillRequest request = stator({0.9});
   request.algorithms = {Algorithm::needle};
   request.needle = winding::Needle{2.6};
-  SilentProgress silent;
+  Progress silent;
   EXPECT_TRUE(plan_fill(request, silent).layouts[0].can_be_wound()) << "as in the source";
   request.needle = winding::Needle{3.1};
   const FillPlan wide = plan_fill(request, silent);
@@ -151,7 +151,7 @@ TEST(FillPlan, TellsWhatDoesNotPassTheOpening) {
 TEST(FillPlan, TurnsThatNoLayoutTakesAreInfeasible) {
   FillRequest request = stator({0.9, 1.6});
   request.algorithms = {Algorithm::needle};
-  SilentProgress silent;
+  Progress silent;
   request.serial = 40;
   const FillPlan plan = plan_fill(request, silent);
   EXPECT_TRUE(plan.layouts[0].turns.fits);
@@ -168,7 +168,7 @@ TEST(FillPlan, StopsWhereItIsTold) {
 TEST(FillPlan, AWireThatDoesNotFitIsNoFault) {
   FillRequest request = stator({1.0});
   request.wires.push_back({6, 6.2, 0.03});
-  SilentProgress silent;
+  Progress silent;
   const FillPlan plan = plan_fill(request, silent);
   EXPECT_TRUE(plan.verification.passed);
   for (std::size_t i = 5; i < 10; ++i) EXPECT_EQ(plan.layouts[i].count(), 0u);

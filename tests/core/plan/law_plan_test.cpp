@@ -22,7 +22,7 @@ namespace {
 using namespace cam::testing_problems;
 
 LawPlan planned(const cam::MotionLawProblem& problem, LawSampling sampling = {}) {
-  SilentProgress progress;
+  Progress progress;
   return plan_motion_law(problem, sampling, progress);
 }
 

@@ -16,7 +16,7 @@ namespace bahnwerk {
 namespace {
 
 std::optional<LawPlan> planned(const cam::MotionLawProblem& problem) {
-  SilentProgress progress;
+  Progress progress;
   try {
     return plan_motion_law(problem, {std::nullopt, 100}, progress);
   } catch (const InvalidInput&) {  // values that contradict each other, a limit that cannot hold

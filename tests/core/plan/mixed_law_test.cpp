@@ -17,7 +17,7 @@ namespace {
 using namespace cam::testing_problems;
 
 LawPlan planned(const cam::MotionLawProblem& problem) {
-  SilentProgress progress;
+  Progress progress;
   return plan_motion_law(problem, {std::nullopt, 100}, progress);
 }
 std::optional<LawPlan> planned_where_possible(const cam::MotionLawProblem& problem) {

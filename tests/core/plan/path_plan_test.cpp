@@ -38,7 +38,7 @@ struct PathPlanFiveAxes : testing::Test {
   }
   PathPlan plan(PlanningMethod method) {
     plan_by(method);
-    SilentProgress progress;
+    Progress progress;
     PathPlan plan = plan_along(planning, progress);
     for (const Check& check : plan.verification.checks)
       EXPECT_TRUE(check.passed) << name_of<PlanningMethod>(method, planning_methods) << ": " << check_name(check) << ' '
@@ -92,7 +92,7 @@ TEST_F(PathPlanFiveAxes, DwellsLastAndCount) {
 TEST_F(PathPlanFiveAxes, VerifiedAreTheFeedsThatWereGiven) {
   for (double& feed : planning.feeds_to_verify) feed = 20;  // the plan knows 150
   plan_by(PlanningMethod::time_optimal);
-  SilentProgress progress;
+  Progress progress;
   const PathPlan p = plan_along(planning, progress);
   EXPECT_FALSE(p.verification.passed);
 }

@@ -65,7 +65,7 @@ struct Move final : MotionProblem {
 };
 
 TEST(Pipeline, AMotionIsSlowedToWholeCyclesAndItsGapIsThatOfThePlan) {
-  SilentProgress silent;
+  Progress silent;
   Move move;
   const MotionPlan plan = plan_motion(move, {}, silent);
   EXPECT_TRUE(plan.verification.passed);
@@ -103,7 +103,7 @@ TEST(Pipeline, CorrectionsEndAndTheVerdictIsKept) {
 }
 
 TEST(Pipeline, OnlyCountedChecksOfRowsDecideAndTheOthersAreHandedOver) {
-  SilentProgress silent;
+  Progress silent;
   Move move;
   MotionPlan plan = plan_motion(move, {}, silent);
   ASSERT_EQ(plan.row_checks.size(), 1u);
@@ -115,7 +115,7 @@ TEST(Pipeline, OnlyCountedChecksOfRowsDecideAndTheOthersAreHandedOver) {
 }
 
 TEST(Pipeline, APlanBelowItsBoundFailsAndTooManySetpointsAreRefusedAtTheirPlace) {
-  SilentProgress silent;
+  Progress silent;
   Move move;
   move.proven.value = 1.1;
   EXPECT_FALSE(plan_motion(move, {}, silent).verification.passed);

@@ -17,7 +17,7 @@ const Machine m{{{"x", 1800, 16000, 1e6}, {"y", 1500, 9000, 5e5}}, 0.001};
 ContourPlan plan(const Contour& contour, PlanningMethod method) {
   ContourPlanning planning;
   planning.method = method;
-  SilentProgress progress;
+  Progress progress;
   ContourPlan plan = plan_contour(contour, m, planning, progress);
   EXPECT_TRUE(plan.verification.passed);
   EXPECT_GE(plan.duration, plan.bound.value * (1 - 1e-9));
@@ -49,7 +49,7 @@ TEST(RepeatedSections, EachHoleTakesAsLongAsAlone) {
 
 // On the same grid: to rounding.
 TEST(RepeatedSections, TheLawIsThatOfOneHole) {
-  SilentProgress progress;
+  Progress progress;
   for (const test::Hole hole : {test::Hole::circle, test::Hole::slot, test::Hole::free_form}) {
     constexpr int n = 50;
     const auto planned = [&](int first, int last) {

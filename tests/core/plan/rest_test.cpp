@@ -27,7 +27,7 @@ struct Options {
 };
 
 ContourPlan plan(Contour contour, const Options& options, const Machine& machine = xy) {
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.method = options.method;
   planning.stop_at_mode_change = options.stop;

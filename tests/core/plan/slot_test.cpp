@@ -42,7 +42,7 @@ TEST(Slots, AreVerifiedWithinTheirBound) {
     b.line(at(-length, 2 * r));
     b.arc(at(-length, 0), at(-length, r), true);
     b.line(at(0, 0));
-    SilentProgress progress;
+    Progress progress;
     ContourPlanning planning;
     planning.method = PlanningMethod::time_optimal;
     const ContourPlan plan = plan_contour(b.finish(), machine, planning, progress);

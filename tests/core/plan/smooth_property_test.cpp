@@ -25,7 +25,7 @@ TEST_P(SmoothProperty, RoundedAndJerkLimitedPlansAreVerified) {
     for (AxisLimits& axis : machine.axes) axis.jerk = axis.acceleration * std::pow(10, random.uniform(0.5, 3));
     ContourPlanning planning;
     const double tolerance = std::pow(10, random.uniform(-3, 0));
-    SilentProgress progress;
+    Progress progress;
     const auto plan = [&](PlanningMethod method, CornerMode corner) {
       planning.method = method;
       planning.corner_mode = corner;

@@ -76,7 +76,7 @@ Machine machine(const Limits& limits, double cycle_time) {
 /// at the ends of what doubles hold: `extreme`.
 void expect_verified(const Contour& given, const Machine& m, PlanningMethod method, const std::string& what,
                      bool extreme = false) {
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.method = method;
   const ContourPlan plan = plan_contour(given, m, planning, progress);

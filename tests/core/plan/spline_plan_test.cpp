@@ -35,7 +35,7 @@ SplinePlanning planning(double allowed = 1) {
 }
 
 TEST(SplinePlan, LastsWholeCyclesAndIsVerifiedUpToTheSnap) {
-  SilentProgress progress;
+  Progress progress;
   const MotionPlan plan = plan_spline(planning(), progress);
   EXPECT_TRUE(plan.verification.passed);
   EXPECT_EQ(plan.duration, T);
@@ -52,7 +52,7 @@ TEST(SplinePlan, LastsWholeCyclesAndIsVerifiedUpToTheSnap) {
 }
 
 TEST(SplinePlan, ExcessesByRoundingAreSlowed) {
-  SilentProgress progress;
+  Progress progress;
   SplinePlanning given = planning(1 - 5e-5);
   given.machine.cycle_time = T / 256;  // no slowing to whole cycles that would do
   const MotionPlan plan = plan_spline(given, progress);
@@ -62,7 +62,7 @@ TEST(SplinePlan, ExcessesByRoundingAreSlowed) {
 }
 
 TEST(SplinePlan, LargerExcessesFail) {
-  SilentProgress progress;
+  Progress progress;
   const MotionPlan plan = plan_spline(planning(0.9), progress);
   EXPECT_FALSE(plan.verification.passed);
   EXPECT_FALSE(plan.verification.find(quantity::axis, 1, "x")->passed);
@@ -70,7 +70,7 @@ TEST(SplinePlan, LargerExcessesFail) {
 }
 
 TEST(SplinePlan, TheKindsOwnChecksCount) {
-  SilentProgress progress;
+  Progress progress;
   SplinePlanning given = planning();
   given.more_checks = [](const Motion& motion) {
     EXPECT_NEAR(motion.duration(), 0.301, 1e-15) << "as served";
@@ -81,14 +81,14 @@ TEST(SplinePlan, TheKindsOwnChecksCount) {
 }
 
 TEST(SplinePlan, ABoundAboveThePlanFails) {
-  SilentProgress progress;
+  Progress progress;
   SplinePlanning given = planning();
   given.bound.value = 0.4;
   EXPECT_FALSE(plan_spline(given, progress).verification.passed);
 }
 
 TEST(SplinePlan, TooManySetpointsAreRefused) {
-  SilentProgress progress;
+  Progress progress;
   SplinePlanning given = planning();
   given.max_setpoints = 100;
   EXPECT_THROW(plan_spline(given, progress), InvalidInput);

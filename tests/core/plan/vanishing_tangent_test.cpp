@@ -124,7 +124,7 @@ std::vector<Case> cases() {
 }
 
 ContourPlan plan(const Outline& outline, PlanningMethod method) {
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.method = method;
   Machine machine{{{"x", 900, 9000, 4e5}, {"y", 900, 9000, 4e5}, {"z", 900, 9000, 4e5}}, 0.001};

@@ -38,7 +38,7 @@ PathPlan plan(const MachinePath& machine, const Path& tool, PlanningMethod metho
   for (AxisLimits& axis : planning.machine.axes)
     axis.velocity *= looser, axis.acceleration *= looser * looser, axis.jerk *= looser * looser * looser;
   planning.options.along = along;
-  SilentProgress progress;
+  Progress progress;
   return plan_along(planning, progress);
 }
 
@@ -168,7 +168,7 @@ TEST(WindingMachines, JerkLimitsOfDifferentOrdersArePlannedLikeOthers) {
       for (const double times : {1.0, 1e3, 1e7}) {
         PathPlanning planning = planning_of(machine, path.tool, PlanningMethod::jerk_limited);
         planning.machine.axes[k].jerk *= times;
-        SilentProgress progress;
+        Progress progress;
         const PathPlan p = plan_along(planning, progress);
         const std::string what = winder.name + ", axis " + std::to_string(k + 1) + " times " + std::to_string(times);
         expect_verified(p, what);

@@ -10,7 +10,7 @@ namespace {
 using namespace probe_cases;
 
 ProbeMotion arcs(const ProbeProblem& problem) {
-  SilentProgress silent;
+  Progress silent;
   return plan_arcs(problem, silent);
 }
 
@@ -58,7 +58,7 @@ TEST(Arcs, TurnsInSpace) {
   const ProbeMotion plan = arcs(p);
   EXPECT_LT(plan.duration(), stops_duration(p));
   expect_right(p, plan);
-  SilentProgress silent;
+  Progress silent;
   expect_right(p, plan_stops(p, silent));
   EXPECT_NEAR(plan_stops(p, silent).duration(), stops_duration(p), 1e-12);
 }
@@ -74,7 +74,7 @@ TEST(Arcs, ASpeedThatCannotBeReachedChangesNothing) {
   // 70 mm at 0.4 mm/s⁴: some 20 mm/s are all that an edge admits.
   const std::vector<Vec> points{{0, 0, 0}, {56, 42.01, 0}, {112.01, 84, 0.01}, {168, 126, 0}};
   const auto duration = [&](double speed) {
-    SilentProgress silent;
+    Progress silent;
     return plan_arcs(problem(points, 30, 3, speed, 3, 1, 0.4), silent).duration();
   };
   const double least = duration(80);

@@ -11,8 +11,8 @@ using namespace probe_cases;
 
 TEST(ProbeFigures, OfAStraightAreKnown) {
   const ProbeProblem p = problem({{0, 0, 0}, {10, 0, 0}, {60, 0, 0}, {80, 0, 0}}, 0.1, 3);
-  SilentProgress silent;
-  ProgressScope scope(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope scope(silent, "test");
   const ProbeMotion plan = plan_arcs(p, silent);
   const ProbeFigures f = probe_figures(p, plan, scope);
   EXPECT_NEAR(f.path_length, 80, 1e-9);
@@ -23,8 +23,8 @@ TEST(ProbeFigures, OfAStraightAreKnown) {
 
 TEST(ProbeFigures, ARestInBetweenIsARippleAboveOne) {
   const ProbeProblem p = problem({{0, 0}, {30, 0}, {30, 30}, {0, 30}}, 0);
-  SilentProgress silent;
-  ProgressScope scope(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope scope(silent, "test");
   const ProbeFigures f = probe_figures(p, plan_arcs(p, silent), scope);
   EXPECT_NEAR(f.speed_ripple, 20 / (30 / (1.5 + 0.17)), 1e-6);
 }
@@ -35,8 +35,8 @@ TEST(ProbeFigures, APointThatIsPassedJustBesideAJointIsNoRipple) {
   plan.motion = std::make_shared<const SplineMotion>(
       std::vector<SplineMotion::Piece>{{1, {{100, 20}, {0}}}, {2, {{120, 20}, {0}}}, {3, {{140, 20}, {0}}}});
   plan.times = {0, std::nextafter(1.0, 0.0), std::nextafter(2.0, 3.0), 3};
-  SilentProgress silent;
-  ProgressScope scope(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope scope(silent, "test");
   EXPECT_NEAR(probe_figures(p, plan, scope).speed_ripple, 0, 1e-9);
 }
 

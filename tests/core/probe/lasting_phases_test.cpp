@@ -29,8 +29,8 @@ TEST(LastingPhases, RoundingBlursPhasesOfAMillionthOfTheDuration) {
 }
 
 TEST(LastingPhases, PlansWithoutShortPhasesStay) {
-  SilentProgress silent;
-  ProgressScope scope(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope scope(silent, "test");
   const ProbeProblem p = problem(corner, 0.05);
   const ProbeMotion plan = plan_stops(p, silent);
   const ProbeMotion same = probe::with_lasting_phases(
@@ -52,7 +52,7 @@ TEST(LastingPhases, EveryMethodOfPhasesKeepsLimitsThatItReachesWithinItsRounding
   for (const Limits limits : {Limits{4000, 1e15}, Limits{1e15, 1e18}})
     for (const double tolerance : {0.0, 0.05}) {
       const ProbeProblem p = problem(points, tolerance, 2, 20, 200, limits.jerk, limits.snap);
-      SilentProgress silent;
+      Progress silent;
       const ProbeMotion stops = plan_stops(p, silent), arcs = plan_arcs(p, silent);
       const std::string name = std::to_string(limits.snap) + " " + std::to_string(tolerance);
       expect_right(p, stops, "stops " + name);

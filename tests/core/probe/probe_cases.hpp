@@ -41,7 +41,7 @@ inline std::vector<Vec> circle(std::size_t n, double radius) {
 
 /// Every check of the verifier passes.
 inline void expect_right(const ProbeProblem& problem, const ProbeMotion& plan, const std::string& name = "") {
-  SilentProgress silent;
+  Progress silent;
   for (const Check& check : probe_checks({problem, *plan.motion, plan.times}, silent))
     EXPECT_TRUE(check.passed) << name << " " << check_name(check) << ": " << check.value << " of " << check.limit
                               << " at " << check.at;

@@ -14,7 +14,7 @@ using namespace probe_cases;
 
 std::map<std::string, Check> checks(const ProbeProblem& problem, const Motion& motion,
                                     const std::vector<double>& times) {
-  SilentProgress silent;
+  Progress silent;
   std::map<std::string, Check> out;
   for (const Check& check : probe_checks({problem, motion, times}, silent)) out[check_name(check)] = check;
   return out;
@@ -33,7 +33,7 @@ class ProbeChecks : public testing::Test {
  protected:
   ProbeProblem problem_ = problem({{0, 0}, {10, 0}, {10, 8}}, 0.2);
   ProbeMotion plan_ = [this] {
-    SilentProgress silent;
+    Progress silent;
     return plan_arcs(problem_, silent);
   }();
 };

@@ -16,15 +16,15 @@ namespace {
 using namespace probe_cases;
 
 double arcs(const ProbeProblem& p) {
-  SilentProgress silent;
+  Progress silent;
   return plan_arcs(p, silent).duration();
 }
 double spline(const ProbeProblem& p) {
-  SilentProgress silent;
+  Progress silent;
   return plan_spline(p, silent).duration();
 }
 double optimal(const ProbeProblem& p) {
-  SilentProgress silent;
+  Progress silent;
   return plan_optimal(p, silent).duration();
 }
 

@@ -18,7 +18,7 @@ TEST(ProbeProperty, EveryMethodEndsVerifiedAndArcsAreNeverSlowerThanRests) {
   for (int i = 0; i < n; ++i) {
     const RandomSet set(static_cast<std::uint64_t>(i));
     SCOPED_TRACE(set.words);
-    SilentProgress silent;
+    Progress silent;
     const double stops = stops_duration(set.problem);
     const ProbeMotion arcs = plan_arcs(set.problem, silent), spline = plan_spline(set.problem, silent);
     expect_right(set.problem, arcs, "arcs");

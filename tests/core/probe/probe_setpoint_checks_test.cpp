@@ -52,13 +52,13 @@ class ProbeSetpointChecks : public testing::Test {
     Table table(problem_, plan_, cycles_);
     change(table);
     const RestingMotion motion(plan_.motion, problem_.points.back());
-    SilentProgress silent;
+    Progress silent;
     std::vector<std::string> names;
     const ProbeToVerify input{problem_, motion, plan_.times};
     RowChecks both;
     both.push_back(motion_row_check({motion, problem_.machine, table}));
     both.push_back(probe_row_check(input, table));
-    ProgressScope scope(silent, "rows", 0, 1);
+    ProgressScope scope(silent, "rows");
     read_rows(table, both, scope);
     for (const auto& rows : both)
       for (const Check& check : rows->checks())
@@ -68,7 +68,7 @@ class ProbeSetpointChecks : public testing::Test {
   ProbeProblem problem_ = problem({{0, 0}, {10, 0}, {10, 8}}, 0.2);
   std::size_t cycles_ = 0;
   ProbeMotion plan_ = [this] {
-    SilentProgress silent;
+    Progress silent;
     const ProbeMotion planned = plan_arcs(problem_, silent);
     cycles_ = static_cast<std::size_t>(std::ceil(planned.duration() / 0.001));
     const double served = static_cast<double>(cycles_) * 0.001;

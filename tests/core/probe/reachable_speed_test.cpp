@@ -20,7 +20,7 @@ TEST(ReachableSpeed, TheLimitIsAboveThatOfAStraightFromRestToRest) {
 }
 
 TEST(ReachableSpeed, SpeedsThatCannotBeReachedAreOneProblem) {
-  SilentProgress silent;
+  Progress silent;
   const double reach = probe::unreachable_speed(problem(hills, 0.3));
   const ProbeProblem a = problem(hills, 0.3, 2, 1.01 * reach), b = problem(hills, 0.3, 2, 60 * reach);
   EXPECT_EQ(plan_arcs(a, silent).duration(), plan_arcs(b, silent).duration());

@@ -15,7 +15,7 @@ namespace {
 using namespace probe_cases;
 
 TEST(RestSections, JoinedMotionsAreRightAndNoSlowerThanEachOfThem) {
-  SilentProgress silent;
+  Progress silent;
   for (int i = 0; i < testing::cases(12); ++i) {
     const RandomSet set(static_cast<std::uint64_t>(400 + i));
     const std::vector<ProbeMotion> plans{plan_stops(set.problem, silent), plan_spline(set.problem, silent),
@@ -30,7 +30,7 @@ TEST(RestSections, JoinedMotionsAreRightAndNoSlowerThanEachOfThem) {
 TEST(RestSections, EachSectionIsThatOfTheQuickerPlan) {
   // A sharp turn is quicker than a rest at the reversal, and the corner without a tube is a rest in both.
   const ProbeProblem p = problem({{0, 0}, {50, 0}, {0, 0}, {0, 9}}, 0);
-  SilentProgress silent;
+  Progress silent;
   const ProbeMotion stops = plan_stops(p, silent), arcs = plan_arcs(p, silent);
   const ProbeMotion joined = probe::quickest_sections(p, {stops, arcs});
   EXPECT_NEAR(joined.duration(), arcs.duration(), 1e-12);

@@ -10,7 +10,7 @@ namespace {
 using namespace probe_cases;
 
 ProbeMotion spline(const ProbeProblem& problem) {
-  SilentProgress silent;
+  Progress silent;
   return plan_spline(problem, silent);
 }
 
@@ -79,7 +79,7 @@ TEST(Spline, ThousandsOfPointsWithManyRestsAreRightToTheEnd) {
 
 /// A zigzag rests at every point; a run finds the ones next to its ends first.
 TEST(Spline, WhatAZigzagTakesGrowsLinearlyWithItsPoints) {
-  struct Counting : Progress {
+  struct Counting : ProgressSink {
     std::size_t reports = 0;
     void report(std::string_view, double, std::string_view) override { ++reports; }
   };
@@ -101,7 +101,7 @@ TEST(Spline, WhatAZigzagTakesGrowsLinearlyWithItsPoints) {
 TEST(Spline, PhasesTooShortForTheirRoundingAreNoReasonToBeSlowerThanRests) {
   // The jerk is reached within 4e-12 s.
   const ProbeProblem p = problem({{0, 0}, {5, 0}, {5, 5}}, 0.05, 2, 20, 200, 4000, 1e15);
-  SilentProgress silent;
+  Progress silent;
   const ProbeMotion plan = plan_spline(p, silent);
   expect_right(p, plan);
   EXPECT_LT(plan.duration(), 0.84);  // what rests take where the snap is 200 000 mm/s⁴

@@ -11,7 +11,7 @@ using namespace probe_cases;
 TEST(Stops, EveryCornerIsARestAndARowIsOneStraight) {
   // 6 mm at 20 mm/s and 0.17 s for each of two straights.
   const ProbeProblem p = problem({{1, 1}, {3, 1}, {7, 1}, {7, 7}}, 0.05);
-  SilentProgress silent;
+  Progress silent;
   const ProbeMotion plan = plan_stops(p, silent);
   expect_right(p, plan);
   EXPECT_NEAR(plan.duration(), 2 * (6.0 / 20 + 0.17), 1e-12);
@@ -28,7 +28,7 @@ TEST(Stops, EveryCornerIsARestAndARowIsOneStraight) {
 
 TEST(Stops, PointsInSpaceArePassedAtTheirTimes) {
   const ProbeProblem p = problem({{0, 0, 0}, {12, 3, 1}, {20, 14, 9}, {9, 20, 22}}, 0, 3);
-  SilentProgress silent;
+  Progress silent;
   const ProbeMotion plan = plan_stops(p, silent);
   expect_right(p, plan);
   ASSERT_EQ(plan.times.size(), 4u);

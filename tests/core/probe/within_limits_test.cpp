@@ -11,8 +11,8 @@ namespace {
 using namespace probe_cases;
 
 TEST(WithinLimits, MotionsThatKeepAllLimitsStay) {
-  SilentProgress silent;
-  ProgressScope scope(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope scope(silent, "test");
   const ProbeProblem p = problem({{0, 0}, {30, 0}, {30, 20}}, 0);
   const ProbeMotion stops = plan_stops(p, silent);
   EXPECT_NEAR(probe::needed_slowing(p, stops, 1, scope), 1, 1e-10);
@@ -20,8 +20,8 @@ TEST(WithinLimits, MotionsThatKeepAllLimitsStay) {
 }
 
 TEST(WithinLimits, AMotionThatIsTooQuickIsSlowedByWhatItExceeds) {
-  SilentProgress silent;
-  ProgressScope scope(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope scope(silent, "test");
   const ProbeProblem p = problem({{0, 0}, {30, 0}, {30, 20}}, 0);
   const ProbeMotion quick = slowed(plan_stops(p, silent), 1 / 1.01);
   EXPECT_NEAR(probe::needed_slowing(p, quick, 1, scope), 1.01, 1e-9);
@@ -31,7 +31,7 @@ TEST(WithinLimits, AMotionThatIsTooQuickIsSlowedByWhatItExceeds) {
 }
 
 TEST(WithinLimits, PiecesThatAreShortBesideTheirCoordinatesKeepLimits) {
-  SilentProgress silent;
+  Progress silent;
   const RandomSet set(53);
   const ProbeMotion plan = plan_optimal(set.problem, silent);
   EXPECT_LT(plan.duration(), 0.95 * stops_duration(set.problem));

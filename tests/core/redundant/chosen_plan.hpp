@@ -9,8 +9,8 @@
 namespace bahnwerk::test {
 
 inline RedundancyResult chosen(const RedundancyTask& task, const RedundancyOptions& options) {
-  SilentProgress progress;
-  PlanChoice choice(task, options, progress, 0, 1);
+  Progress progress;
+  PlanChoice choice(task, options, progress);
   if (!choice.next()) throw std::logic_error("no candidate has a plan");
   return std::move(choice.plan());
 }

@@ -16,7 +16,7 @@
 namespace bahnwerk::test {
 
 inline JointResult plan(const JointTask& task, const JointOptions& options = {}) {
-  SilentProgress progress;
+  Progress progress;
   return found(plan_joint(task, options, progress));
 }
 

@@ -33,11 +33,11 @@ TEST(ReversedTask, ItsPlanIsOneOfTheTaskBackwardsInTime) {
   EXPECT_EQ(back.contour->blocks.front().last, 1u);
   EXPECT_EQ(back.dwells.front().segment, 0u);
   EXPECT_EQ(back.dwells.front().seconds, 0.02);
-  SilentProgress progress;
+  Progress progress;
   for (const RedundancyMethod method :
        {RedundancyMethod::joint, RedundancyMethod::iterative, RedundancyMethod::follow_up, RedundancyMethod::filter}) {
     SCOPED_TRACE(name_of<RedundancyMethod>(method, redundancy_methods));
-    const RedundancyResult other = test::found(redundancy_row(method).plan(back, {}, progress, 0, 1)),
+    const RedundancyResult other = test::found(redundancy_row(method).plan(back, {}, progress)),
                            plan = reversed(other, task);
     EXPECT_NEAR(plan.head->duration(), other.head->duration(), 1e-13);
     const test::SplitExcess e = test::split_excess(task, plan);

@@ -33,7 +33,7 @@ using test::bow;
 enum class Method { time_optimal, braking_reserve, jerk_limited };
 
 TimeLaw planned(const PathTask& task, Method method) {
-  SilentProgress progress;
+  Progress progress;
   if (method == Method::jerk_limited) return plan_jerk_limited(task, {}, progress).law;
   AccelerationLimitedOptions options;
   options.keep_reserve = method == Method::braking_reserve;
@@ -42,7 +42,7 @@ TimeLaw planned(const PathTask& task, Method method) {
 
 Verification verdict(const AxisPath& path, const Contour& contour, const Machine& machine, const TimeLaw& law,
                      bool jerk) {
-  SilentProgress progress;
+  Progress progress;
   return verify_motion({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, jerk}, progress);
 }
 
@@ -109,8 +109,8 @@ TEST(VerifierAxes, OneAxisByEveryPlanner) {
 }
 
 std::size_t estimated(const AxisPath& path, const Contour& contour, const Machine& machine, const TimeLaw& law) {
-  SilentProgress progress;
-  ProgressScope stage_progress(progress, "verify", 0, 1);
+  Progress progress;
+  ProgressScope stage_progress(progress, "verify");
   return verify::axis_peaks({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, true}, stage_progress)
       .estimated;
 }
@@ -256,7 +256,7 @@ TEST(VerifierAxes, MismatchedInputsAreRefused) {
   const CartesianAxisPath path(contour.path, 2);
   const Machine three = reference::machine(3, 1, 1);
   const Machine two = reference::machine(2, 1, 1);
-  SilentProgress progress;
+  Progress progress;
   const TimeLaw law;
   EXPECT_THROW(verify_motion({path, three, law, contour.feeds(), contour.rest_places()}, progress),
                std::invalid_argument);
@@ -288,7 +288,7 @@ TEST(VerifierAxes, APeakThatAliasesOnTheSamplesIsSeen) {
   const TimeLaw law = law_through(contour.path, {{0, 0}, {s1, v}, {s2, v}, {contour.path.length(), 0}});
   Machine machine;
   machine.axes = {{"x", 2000}, {"y", 1.9 * faint * v}};
-  SilentProgress progress;
+  Progress progress;
   const Verification verification = verify_motion({contour, machine, law, 1e-3}, progress);
   EXPECT_NEAR(verification.checks[1].value, 2 * faint * v, 1e-6 * faint * v);
   EXPECT_FALSE(verification.passed);
@@ -371,7 +371,7 @@ TEST(VerifierAxes, PeaksOnRandomRationalsEncloseTheDenseOnes) {
     // Limits as large as what there is: the resolution is a part of them.
     Machine machine;
     machine.axes = {{"x", dense[0], dense[2], dense[4]}, {"y", dense[1], dense[3], dense[5]}};
-    SilentProgress progress;
+    Progress progress;
     const Verification v = verify_motion({contour, machine, law, 1e-3, true}, progress);
     const CartesianAxisPath path(contour.path, 2);
     EXPECT_EQ(estimated(path, contour, machine, law), 0u) << round;

@@ -18,8 +18,8 @@ namespace {
 Verification verify_motion(const Region& usable_area, double radius, const std::vector<Point>& wires,
                            double overlap = 0, std::size_t bound = 100) {
   const LayoutToVerify layout{"any", 0.9, radius, overlap, wires, bound};
-  SilentProgress silent;
-  return verify_layouts(usable_area, std::span(&layout, 1), silent, 0, 1);
+  Progress silent;
+  return verify_layouts(usable_area, std::span(&layout, 1), silent);
 }
 
 Region square() {
@@ -72,8 +72,8 @@ TEST(LayoutJudge, LooksAtEveryRegionInItsOwnRoom) {
     layouts[1].region = "head";
     layouts[1].usable_area = &head;
     layouts[1].count = first.size();
-    SilentProgress silent;
-    return verify_layouts(square(), layouts, silent, 0, 1);
+    Progress silent;
+    return verify_layouts(square(), layouts, silent);
   };
   EXPECT_TRUE(verdict({{1, 1}, {3, 1}}, {{8, 8}, {6, 8}}).passed);
   EXPECT_FALSE(verdict({{1, 1}, {3, 1}}, {{8.1, 8}, {6, 8}}).passed) << "in the head's wall";

@@ -19,7 +19,7 @@ inline constexpr double corner_angle = 0.1 * std::numbers::pi / 180;
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 inline Verification verdict(const Contour& contour, const Machine& m, const TimeLaw& law, bool jerk = false) {
-  SilentProgress silent;
+  Progress silent;
   return verify_motion({contour, m, law, corner_angle, jerk}, silent);
 }
 inline const Check& find(const Verification& v, const std::string& name) {

@@ -56,7 +56,7 @@ const Check& find(const Verification& v, const std::string& name) {
 
 Verification verdict(const Contour& contour, const TimeLaw& law, double path_acceleration = unlimited,
                      double path_jerk = unlimited) {
-  SilentProgress silent;
+  Progress silent;
   const Machine m = machine();
   ContourVerifierInput input{contour, m, law, 1e-3, true};
   input.path.acceleration = path_acceleration;
@@ -158,7 +158,7 @@ TEST(VerifierJerk, PathSnapIsTheLargestOfAnyPiece) {
   ASSERT_GT(snap, 0);
   const Machine m = machine();
   for (const double share : {0.999, 1.001}) {
-    SilentProgress silent;
+    Progress silent;
     ContourVerifierInput input{contour, m, law, 1e-3, true};
     input.path.snap = share * snap;
     const Verification v = verify_motion(input, silent);

@@ -64,6 +64,6 @@ inline void expect_allowed(const Region& usable_area, double radius, double over
   }
 }
 
-inline SilentProgress silent;
+inline Progress silent;
 
 }  // namespace bahnwerk::winding::test

@@ -41,7 +41,7 @@ std::atomic<bool> latch{false};
 std::atomic<int> greedy{0};
 
 /// Plans what its spec names: {"do":"succeed"|"fail"|"crash"|"unverified"|"noise"|"loop"|"latch"|"greedy"|"endless"}.
-api::PlannedJob stub(const std::string&, const std::string& spec, Progress& progress) {
+api::PlannedJob stub(const std::string&, const std::string& spec, Progress progress) {
   const std::string what = nlohmann::json::parse(spec).at("do");
   if (what == "fail") throw Infeasible("no motion");
   if (what == "crash") throw std::logic_error("a bug");

@@ -114,7 +114,7 @@ struct StoreTest : testing::Test {
     store = std::make_unique<SqliteStore>(std::move(options));
   }
   StoreTest() { open(); }
-  SilentProgress silent;
+  Progress silent;
   TempFolder folder;
   std::unique_ptr<Store> store;
 };

@@ -29,7 +29,7 @@ struct Told {
 
 struct IoFaults : testing::Test {
   test::FailingVfs vfs;
-  SilentProgress silent;
+  Progress silent;
 
   std::unique_ptr<SqliteStore> open(const TempFolder& folder) {
     SqliteOptions options;

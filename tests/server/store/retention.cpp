@@ -43,7 +43,7 @@ struct RetentionTest : testing::Test {
   }
   TempFolder folder;
   std::unique_ptr<SqliteStore> store;
-  SilentProgress silent;
+  Progress silent;
   std::mt19937_64 random;
 };
 

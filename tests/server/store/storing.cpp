@@ -52,7 +52,7 @@ class Table final : public SetpointSource {
   std::vector<Column> columns_{{"phi", "deg"}};
 };
 
-struct StoppingAt final : Progress {
+struct StoppingAt final : ProgressSink {
   explicit StoppingAt(int k) : left(k) {}
   void report(std::string_view stage, double, std::string_view) override {
     EXPECT_EQ(stage, "storing");
@@ -72,7 +72,7 @@ TEST_F(StoreTest, KeepsWhatTheRowsAreTakenOver) {
     claim(*store, 1);
     api::PlannedJob planned = ramp_plan(0);
     planned.setpoints = std::make_unique<Table>(framed ? std::optional(PoseFrame{1, 2, 3, 45}) : std::nullopt);
-    SilentProgress progress;
+    Progress progress;
     ASSERT_TRUE(store->succeed({id, 1}, planned, 2, nothing_seen, progress));
     const auto series = store->series(id);
     ASSERT_TRUE(series);
@@ -88,7 +88,7 @@ TEST_F(StoreTest, KeepsWhatTheRowsAreTakenOver) {
   }
   const std::string id = insert_id(*store);
   claim(*store, 1);
-  SilentProgress progress;
+  Progress progress;
   ASSERT_TRUE(store->succeed({id, 1}, ramp_plan(3), 2, nothing_seen, progress));
   EXPECT_TRUE(store->series(id)->independent.time());
   EXPECT_EQ(store->series(id)->independent.step, 0.001);

@@ -7,7 +7,7 @@
 
 namespace bahnwerk::cam {
 
-LawConflict SplineProgram::find_conflict(Progress& progress) {
+LawConflict SplineProgram::find_conflict(Progress progress) {
   LawConflict conflict;
   initial_samples();
   if (!find_start()) {

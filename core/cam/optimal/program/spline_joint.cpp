@@ -6,7 +6,7 @@
 
 namespace bahnwerk::cam {
 
-JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progress& progress) {
+JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progress progress) {
   initial_samples();
   for (const LawSample& sample : samples) samples_.push_back({sample});
   // The law at the times as they are is the start: it keeps all rows, with peaks above its own.

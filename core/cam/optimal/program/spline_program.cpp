@@ -55,7 +55,7 @@ std::vector<double> SplineProgram::variables(const std::vector<double>& coeffici
   return out;
 }
 
-SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progress,
+SplineResult SplineProgram::solve(const SplineOptions& options, Progress progress,
                                   const std::vector<LawSample>* samples) {
   SplineResult result;
   result.breaks = breaks_;

@@ -17,13 +17,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/cam/optimal/program/law_basis.hpp"
 #include "core/cam/optimal/task/law_task.hpp"
 #include "core/numeric/interior_point/bordered_band.hpp"
 
-namespace bahnwerk {
-class Progress;
-}
 namespace bahnwerk::cam {
 
 inline constexpr int effort_order = max_degree + 1;  ///< the order of samples of LawTask::effort
@@ -82,12 +80,12 @@ class SplineProgram {
   SplineProgram(const LawTask& task, const LawBasis& basis, const std::vector<double>& times,
                 const JointReference* reference = nullptr);
   /// Finds the least violation of ranges and limits, with Farkas' multipliers. If it is next to nothing, a law exists.
-  LawConflict find_conflict(Progress& progress);
-  JointStep joint_step(const std::vector<LawSample>& samples, Progress& progress);
+  LawConflict find_conflict(Progress progress);
+  JointStep joint_step(const std::vector<LawSample>& samples, Progress progress);
   /// Finds the law with the least RMS value of s^(order) among those whose J is 1e-9 above that of `first` at most: a
   /// convex quadratic program. Returns `first` itself where none with less is found. The program serves this alone.
-  SplineResult least_rms(int order, const SplineResult& first, Progress& progress);
-  SplineResult solve(const SplineOptions& options, Progress& progress, const std::vector<LawSample>* samples = nullptr);
+  SplineResult least_rms(int order, const SplineResult& first, Progress progress);
+  SplineResult solve(const SplineOptions& options, Progress progress, const std::vector<LawSample>* samples = nullptr);
 
  private:
   void build_equalities();

@@ -52,7 +52,7 @@ double SplineProgram::mean_square(int order) const {
   return sum / task_.cycle;
 }
 
-SplineResult SplineProgram::least_rms(int order, const SplineResult& first, Progress& progress) {
+SplineResult SplineProgram::least_rms(int order, const SplineResult& first, Progress progress) {
   constexpr int most_rounds = 15;
   initial_samples();
   initial_ = samples_.size();

@@ -9,7 +9,7 @@
 namespace bahnwerk::cam {
 
 AllLawsBound bound_over_angles(const LawTask& task, const KnownLaw& law, std::size_t programs, double gap,
-                               Progress& progress, double enough) {
+                               Progress progress, double enough) {
   struct Box {
     double bound;
     std::vector<Range> ranges;

@@ -4,12 +4,10 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/base/progress.hpp"
 #include "core/cam/optimal/relaxation/known_law.hpp"
 #include "core/cam/optimal/task/law_task.hpp"
 
-namespace bahnwerk {
-class Progress;
-}
 namespace bahnwerk::cam {
 
 struct AllLawsBound {
@@ -21,6 +19,6 @@ struct AllLawsBound {
 /// `programs` convex programs. It stops when no box has a bound more than `gap` below the known law, or all have one
 /// above `enough`. It is deterministic: it counts programs, not time.
 AllLawsBound bound_over_angles(const LawTask& task, const KnownLaw& law, std::size_t programs, double gap,
-                               Progress& progress, double enough = std::numeric_limits<double>::infinity());
+                               Progress progress, double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace bahnwerk::cam

@@ -58,7 +58,7 @@ struct Attempt {
 /// Solves the program, starting with the known law with its peaks `above` times what they are, and slacks of `slack` at
 /// least.
 Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& law, const RelaxationOptions& options,
-              double above, double slack, Progress& progress) {
+              double above, double slack, Progress progress) {
   BorderedBand& band = program.band();
   const RelaxationGrid& grid = program.grid();
   InteriorPoint point;
@@ -99,7 +99,7 @@ Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& l
 }  // namespace
 
 double relaxation_bound(const LawTask& task, const std::vector<Range>& ranges, const KnownLaw& law,
-                        const RelaxationOptions& options, Progress& progress) {
+                        const RelaxationOptions& options, Progress progress) {
   std::vector<Range> ascending = ranges;
   tighten(task, ascending);
   RelaxationProgram program(task, ascending, law, options.cells);

@@ -10,12 +10,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/cam/optimal/relaxation/known_law.hpp"
 #include "core/cam/optimal/task/law_task.hpp"
 
-namespace bahnwerk {
-class Progress;
-}
 namespace bahnwerk::cam {
 
 struct RelaxationOptions {
@@ -25,6 +23,6 @@ struct RelaxationOptions {
 /// Returns a lower bound: no law with its points in `ranges` (one per point, task's units) has a smaller J; `law` need
 /// not be in the ranges.
 double relaxation_bound(const LawTask& task, const std::vector<Range>& ranges, const KnownLaw& law,
-                        const RelaxationOptions& options, Progress& progress);
+                        const RelaxationOptions& options, Progress progress);
 
 }  // namespace bahnwerk::cam

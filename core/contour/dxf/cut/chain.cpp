@@ -68,13 +68,13 @@ std::vector<Pair> pairs(const std::vector<Strand>& strands, const std::vector<bo
 
 }  // namespace
 
-std::vector<StrandChain> chains(const std::vector<Strand>& strands, double tolerance, Progress& progress) {
+std::vector<StrandChain> chains(const std::vector<Strand>& strands, double tolerance, Progress progress) {
   const std::size_t n = strands.size();
   std::vector<bool> closed(n);
   for (std::size_t i = 0; i < n; ++i)
     closed[i] = norm(strands[i].to - strands[i].from) <= std::min(tolerance, 0.1 * strands[i].length);
 
-  ProgressScope reading(progress, "reading", 0, 0);
+  ProgressScope reading(progress.part(0, 0), "reading");
   auto list = pairs(strands, closed, tolerance, reading);
   std::sort(list.begin(), list.end(), [&](const Pair& p, const Pair& q) {
     reading.work();

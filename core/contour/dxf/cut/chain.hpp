@@ -3,11 +3,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The properties of a curve (which may itself consist of several curves) that chaining needs.
 struct Strand {
@@ -35,6 +34,6 @@ struct StrandChain {
 ///
 /// Chains are in the order of their first strand, which is not reversed; a closed chain starts with it. O(n log n). If
 /// more than 8 earlier ends surround an end, 8 of them are considered, by a deterministic choice.
-std::vector<StrandChain> chains(const std::vector<Strand>& strands, double tolerance, Progress& progress);
+std::vector<StrandChain> chains(const std::vector<Strand>& strands, double tolerance, Progress progress);
 
 }  // namespace bahnwerk

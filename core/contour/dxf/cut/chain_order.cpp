@@ -118,7 +118,7 @@ class NearestTree {
 
 }  // namespace
 
-std::vector<ChainVisit> nearest_order(const std::vector<ChainEntries>& chains, Progress& progress) {
+std::vector<ChainVisit> nearest_order(const std::vector<ChainEntries>& chains, Progress progress) {
   std::vector<Vec> points;
   std::vector<std::size_t> first_of, chain_of;
   for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -126,7 +126,7 @@ std::vector<ChainVisit> nearest_order(const std::vector<ChainEntries>& chains, P
     points.insert(points.end(), chains[c].at.begin(), chains[c].at.end());
     chain_of.resize(points.size(), c);
   }
-  ProgressScope reading(progress, "reading", 0, 0);
+  ProgressScope reading(progress.part(0, 0), "reading");
   NearestTree tree(points, reading);
   std::vector<ChainVisit> order;
   for (std::size_t next = points.empty() ? none : 0; next != none;) {

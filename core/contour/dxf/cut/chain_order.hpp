@@ -3,11 +3,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The entries of a chain. An open chain has two, its ends, and is left at the other one; a closed chain is left where
 /// it was entered.
@@ -24,6 +23,6 @@ struct ChainVisit {
 /// remaining entry. A tour of nearest neighbours is on average some 25 % longer than the shortest one [Johnson,
 /// McGeoch: The traveling salesman problem: a case study in local optimization, 1997]. It uses a k-d tree whose empty
 /// branches are not searched: O(n log n) for n uniformly distributed entries. Every chain needs an entry.
-std::vector<ChainVisit> nearest_order(const std::vector<ChainEntries>& chains, Progress& progress);
+std::vector<ChainVisit> nearest_order(const std::vector<ChainEntries>& chains, Progress progress);
 
 }  // namespace bahnwerk

@@ -50,10 +50,10 @@ void turn_round(Cut& cut) {
 
 }  // namespace
 
-std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress& progress) {
+std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress progress) {
   std::vector<Strand> ends;
   ends.reserve(strands.size());
-  ProgressScope reading(progress, "reading", 0, 0);
+  ProgressScope reading(progress.part(0, 0), "reading");
   for (const DxfStrand& s : strands) {
     double length = 0;
     for (const Drawn& curve : s.curves) length += extent(curve);
@@ -84,8 +84,8 @@ std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress
   return result;
 }
 
-std::vector<Cut> nearest(std::vector<Cut> cuts, Progress& progress) {
-  ProgressScope reading(progress, "reading", 0, 0);
+std::vector<Cut> nearest(std::vector<Cut> cuts, Progress progress) {
+  ProgressScope reading(progress.part(0, 0), "reading");
   std::vector<ChainEntries> entries;
   std::vector<std::vector<std::size_t>> where(cuts.size());
   for (std::size_t c = 0; c < cuts.size(); ++c) {

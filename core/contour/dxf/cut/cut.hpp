@@ -3,14 +3,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf/drawn.hpp"
 #include "core/contour/dxf/read/drawing.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// Consecutive curves that become one block.
 struct Cut {
@@ -21,13 +20,13 @@ struct Cut {
 
 /// Removes entities that are drawn again, in either direction, and returns their number. Two are equal if corresponding
 /// points are within `tolerance` (mm). O(n).
-std::size_t drop_duplicates(std::vector<DxfStrand>& strands, double tolerance, Progress& progress);
+std::size_t drop_duplicates(std::vector<DxfStrand>& strands, double tolerance, Progress progress);
 
 /// Chains strands within the tolerance, mm. O(n log n).
-std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress& progress);
+std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress progress);
 
 /// Orders cuts by nearest neighbours. O(n log n).
-std::vector<Cut> nearest(std::vector<Cut> cuts, Progress& progress);
+std::vector<Cut> nearest(std::vector<Cut> cuts, Progress progress);
 
 /// Number and size of the closed gaps.
 struct GapReport {

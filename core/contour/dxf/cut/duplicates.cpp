@@ -38,13 +38,13 @@ bool same_strand(const DxfStrand& a, const DxfStrand& b, bool turned, double tol
 
 }  // namespace
 
-std::size_t drop_duplicates(std::vector<DxfStrand>& strands, double tolerance, Progress& progress) {
+std::size_t drop_duplicates(std::vector<DxfStrand>& strands, double tolerance, Progress progress) {
   // The key of a strand does not depend on its direction: the middle between its ends, and its length.
   PointGrid grid(4 * tolerance, strands.size());
   std::vector<DxfStrand> kept;
   kept.reserve(strands.size());
   std::size_t dropped = 0;
-  ProgressScope reading(progress, "reading", 0, 0);
+  ProgressScope reading(progress.part(0, 0), "reading");
   for (DxfStrand& strand : strands) {
     double length = 0;
     for (const Drawn& curve : strand.curves) length += extent(curve);

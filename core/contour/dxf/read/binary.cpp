@@ -31,7 +31,7 @@ Value value_of(int code) {
 
 class BinaryReading {
  public:
-  BinaryReading(std::string_view bytes, Progress& progress) : bytes_(bytes), progress_(progress, "reading", 0, 0) {}
+  BinaryReading(std::string_view bytes, Progress progress) : bytes_(bytes), progress_(progress.part(0, 0), "reading") {}
 
   std::string ascii() {
     at_ = sentinel.size();
@@ -127,6 +127,6 @@ class BinaryReading {
 
 bool dxf_is_binary(std::string_view bytes) { return bytes.substr(0, sentinel.size()) == sentinel; }
 
-std::string dxf_ascii(std::string_view bytes, Progress& progress) { return BinaryReading(bytes, progress).ascii(); }
+std::string dxf_ascii(std::string_view bytes, Progress progress) { return BinaryReading(bytes, progress).ascii(); }
 
 }  // namespace bahnwerk

@@ -4,15 +4,15 @@
 #include <string>
 #include <string_view>
 
-namespace bahnwerk {
+#include "core/base/progress.hpp"
 
-class Progress;
+namespace bahnwerk {
 
 bool dxf_is_binary(std::string_view bytes);
 
 /// Returns the drawing in ASCII, up to its EOF, with the shortest exact numbers and empty data chunks. Throws
 /// InvalidInput at {"contour","dxf"}, with the next line of the ASCII form, for a file that is cut off or does not
 /// begin with a section. O(bytes).
-std::string dxf_ascii(std::string_view bytes, Progress& progress);
+std::string dxf_ascii(std::string_view bytes, Progress progress);
 
 }  // namespace bahnwerk

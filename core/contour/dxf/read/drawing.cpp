@@ -29,7 +29,7 @@ struct Entity {
 
 class Reader {
  public:
-  Reader(std::string_view text, const DxfReading& reading, Progress& progress)
+  Reader(std::string_view text, const DxfReading& reading, Progress progress)
       : tags_(text, progress), reading_(reading), layers_(reading.layers) {}
 
   DxfDrawing read() {
@@ -309,7 +309,7 @@ class Reader {
 
 }  // namespace
 
-DxfDrawing read_dxf_drawing(std::string_view text, const DxfReading& reading, Progress& progress) {
+DxfDrawing read_dxf_drawing(std::string_view text, const DxfReading& reading, Progress progress) {
   if (dxf_is_binary(text)) return Reader(dxf_ascii(text, progress), reading, progress).read();
   // Lines of old Macintoshes end with CR alone.
   if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {

@@ -7,11 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/dxf/drawn.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The options of reading.
 struct DxfReading {
@@ -35,6 +34,6 @@ struct DxfDrawing {
 };
 
 /// Returns the drawing. Throws InvalidInput with all faults found, at most 100, and Stopped.
-DxfDrawing read_dxf_drawing(std::string_view text, const DxfReading& reading, Progress& progress);
+DxfDrawing read_dxf_drawing(std::string_view text, const DxfReading& reading, Progress progress);
 
 }  // namespace bahnwerk

@@ -53,7 +53,7 @@ long dxf_integer(const DxfTag& tag) {
   refuse_dxf(tag.line, dxf_quoted(tag.value) + " (group code " + std::to_string(tag.code) + ") is no integer");
 }
 
-DxfTags::DxfTags(std::string_view text, Progress& progress) : text_(text), progress_(progress, "reading", 0, 0) {
+DxfTags::DxfTags(std::string_view text, Progress progress) : text_(text), progress_(progress.part(0, 0), "reading") {
   if (text_.starts_with("AutoCAD Binary DXF"))
     refuse_dxf(1, "this is a binary DXF file whose bytes were changed, as editors and transfers of texts do");
   if (text_.starts_with("AC10")) refuse_dxf(1, "this is a DWG file, not a DXF file; save the drawing as ASCII DXF");

@@ -41,7 +41,7 @@ struct DxfRecord {
 class DxfTags {
  public:
   /// Refuses DWG files. A byte order mark is skipped.
-  DxfTags(std::string_view text, Progress& progress);
+  DxfTags(std::string_view text, Progress progress);
 
   /// Reads the next pair and skips comments (999). Returns false at the end of the text or at 0x1A, the DOS end mark.
   /// Throws InvalidInput for a group code that is no integer from −5 to 1071, and for a code without a value.

@@ -21,7 +21,7 @@ class Control {
   static constexpr std::size_t max_calls = 64;       ///< depth of nested subprograms
   static constexpr std::size_t bytes_per_step = 64;  ///< a line takes one step more for each such number of bytes
 
-  Control(std::string_view text, const GcodeOptions& options, Parameters& parameters, Lines& lines, Progress& progress)
+  Control(std::string_view text, const GcodeOptions& options, Parameters& parameters, Lines& lines, Progress progress)
       : text_(text), options_(options), parameters_(parameters), lines_(lines), progress_(progress) {}
 
   /// Takes the line from the budget if it, or a line behind it, was executed before. Returns false if the budget is
@@ -83,7 +83,7 @@ class Control {
   const GcodeOptions& options_;
   Parameters& parameters_;
   Lines& lines_;
-  Progress& progress_;
+  Progress progress_;
   std::optional<Outline> outline_;  // outline of the program, made on first use
   std::vector<Frame> frames_;
   std::vector<Loop> loops_;              // active repeats

@@ -6,7 +6,7 @@
 
 namespace bahnwerk::gcode {
 
-Outline::Outline(std::string_view text, bool skip_slash, Progress& progress) {
+Outline::Outline(std::string_view text, bool skip_slash, Progress progress) {
   constexpr std::size_t lines_per_report = 65'536;  // 10 to 100 ns each
   Lines lines(text);
   Line line;

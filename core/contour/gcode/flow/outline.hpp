@@ -6,11 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/gcode/words/words.hpp"
-
-namespace bahnwerk {
-class Progress;
-}
 
 namespace bahnwerk::gcode {
 
@@ -30,7 +27,7 @@ class Outline {
   };
 
   /// Finds the O words. O(bytes + O words · log labels).
-  Outline(std::string_view text, bool skip_slash, Progress& progress);
+  Outline(std::string_view text, bool skip_slash, Progress progress);
 
   bool full() const { return full_; }  ///< whether there are more than `most`; the others are unknown
   const Entry& operator[](std::size_t index) const { return entries_[index]; }

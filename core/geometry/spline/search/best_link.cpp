@@ -13,7 +13,7 @@ constexpr double uniqueness = 1e-2;
 }  // namespace
 
 BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
-                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress& progress,
+                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress progress,
                    std::size_t max_evaluations) {
   const LinkVariables variables(rule.continuity(), ends);
   const LinkEnds& scaled = variables.ends();

@@ -2,12 +2,11 @@
 /// The β of a link that make it smoothest, in the sense of (4.60) or of its substitute (4.61) [Herrmann 4.3.4].
 #include <optional>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/smoothness.hpp"
 #include "core/numeric/optimise/optimise.hpp"
 
 namespace bahnwerk {
-
-class Progress;
 
 /// The measure that is minimised: (4.60) or (4.61).
 enum class LinkObjective { curvature, control_distance };
@@ -29,7 +28,7 @@ struct BestLink {
 /// Variables and their bounds: link_variables.hpp. (4.61) has a set of minima: 1e-2·chord·J/J(start) is added, which
 /// selects the smoothest of them. Throws what link() throws. Ends after max_evaluations, of about 6 µs each for k = 3.
 BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
-                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress& progress,
+                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress progress,
                    std::size_t max_evaluations = 2000);
 
 }  // namespace bahnwerk

@@ -18,7 +18,7 @@ namespace {
 using namespace testing_problems;
 
 LawSolution solved(const MotionLawProblem& problem, const ActiveSetOptions& options = {}) {
-  SilentProgress progress;
+  Progress progress;
   return *solve_active_set(problem, angles(problem), progress, options);
 }
 std::vector<std::string> fault_places(const MotionLawProblem& problem) {

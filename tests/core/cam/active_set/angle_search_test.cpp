@@ -15,7 +15,7 @@ using namespace testing_problems;
 TEST(AngleSearch, AFreeAngleIsNoWorseThanAnyOfAFineGrid) {
   MotionLawProblem p = problem(140, false, {rest(0, 0), point(70, 4, {number(20)}), rest(140, 45)});
   p.points[1].at = {40, 100};
-  SilentProgress progress;
+  Progress progress;
   const LawSolution found = *plan_active_set(p, progress);
   EXPECT_GE(found.at[1], 40);
   EXPECT_LE(found.at[1], 100);
@@ -27,7 +27,7 @@ TEST(AngleSearch, FaultsThatNoAngleMendsAreThoseOfTheSpline) {
   MotionLawProblem p = problem(100, false, {point(0, 2, {}), point(50, -1, {}), point(100, 2, {})});
   p.points[1].continuity = 0;
   p.points[1].at = {40, 60};
-  SilentProgress progress;
+  Progress progress;
   EXPECT_THROW(plan_active_set(p, progress), PlanningError);
 }
 

@@ -20,7 +20,7 @@ MotionLawProblem driven(double stroke, DriveLimits drive) {
 
 /// The 3-4-5 polynomial's jerk is 60 h/T³: the only law of degree 5.
 TEST(Drive, JerkAloneAndDegreeFiveGiveTheCubeRoot) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = driven(30, {});
   problem.drive->jerk = 9000;
   problem.degree = 5;
@@ -33,7 +33,7 @@ TEST(Drive, JerkAloneAndDegreeFiveGiveTheCubeRoot) {
 
 /// No law is faster than seven segments of constant jerk: T = h/V + V/A + A/J where all limits are reached.
 TEST(Drive, ManyPiecesComeCloseToSevenSegments) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = driven(40, {80, 900, 20000});
   problem.degree = 3;
   problem.pieces = 16;
@@ -45,7 +45,7 @@ TEST(Drive, ManyPiecesComeCloseToSevenSegments) {
 
 /// Sections between points that do not rest, where velocity is reached in a small part of them.
 TEST(Drive, PiecesAreHalvedUntilTheCycleIsNextToItsBound) {
-  SilentProgress progress;
+  Progress progress;
   for (const DriveLimits& drive : {DriveLimits{225, 2817, 4.9e6}, DriveLimits{900, 5000, 1e5}}) {
     MotionLawProblem problem = driven(53.5, drive);
     problem.degree.reset();
@@ -59,7 +59,7 @@ TEST(Drive, PiecesAreHalvedUntilTheCycleIsNextToItsBound) {
 
 /// A law that does not rest at its end: stretching changes its end.
 TEST(Drive, ValuesOtherThanZeroAreSaidToBeNoProof) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = driven(40, {100, 1000, 20000});
   problem.points.back().values[1] = testing::fixed(50);
   problem.degree = 7;
@@ -70,7 +70,7 @@ TEST(Drive, ValuesOtherThanZeroAreSaidToBeNoProof) {
 }
 
 TEST(Drive, AnglesInARangeAreNotSlowerThanANumberInside) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = driven(100, {1000, 10000, 1e6});
   problem.degree = 3;
   problem.pieces = 16;
@@ -81,7 +81,7 @@ TEST(Drive, AnglesInARangeAreNotSlowerThanANumberInside) {
 }
 
 TEST(Drive, PeaksStayBelowTheLimits) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = driven(100, {1000, 10000, 1e6});
   problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(30)}));
   for (const int degree : {5, 9}) {

@@ -12,7 +12,7 @@ namespace {
 
 /// Every start ends in the J that a scan over the angle finds.
 TEST(FreeAngles, StartsEndInTheLeastJOfAScan) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(11)}, 3));
   const LawBasis basis(make_law_task(problem), 6, 1);
@@ -35,7 +35,7 @@ TEST(FreeAngles, StartsEndInTheLeastJOfAScan) {
 }
 
 TEST(FreeAngles, SameSeedSameLaw) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(20)}, 3));
   problem.points[1].at = {30, 70};
@@ -52,7 +52,7 @@ TEST(FreeAngles, StartsWithoutALawAreGivenUp) {
   problem.points[1].at = {30, 50};
   problem.points[0].section[1] = {-1, 1};  // mm/s: too slow for 12 mm
   const LawTask task = make_law_task(problem);
-  SilentProgress progress;
+  Progress progress;
   const FreeAngles found = optimise_angles(task, LawBasis(task, 7, 1), 1, progress);
   EXPECT_FALSE(found.spline.feasible);
   EXPECT_LE(found.programs, 20);

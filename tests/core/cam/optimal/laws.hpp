@@ -30,7 +30,7 @@ inline MotionLawProblem rest_to_rest(double stroke, double duration) {
 
 /// The least objective of a basis, with the angles in the middle of their ranges.
 inline SplineResult solve(const LawTask& task, const LawBasis& basis) {
-  SilentProgress progress;
+  Progress progress;
   return SplineProgram(task, basis, task.middle()).solve({}, progress);
 }
 

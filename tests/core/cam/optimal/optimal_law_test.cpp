@@ -28,7 +28,7 @@ MotionLawProblem scaled(MotionLawProblem problem, double time, double length) {
 }
 
 TEST(OptimalLaw, TimeAndStrokeScaleJAndNothingElse) {
-  SilentProgress progress;
+  Progress progress;
   Random random(2);
   for (int k = 0; k < 4; ++k) {
     MotionLawProblem problem = testing::random_problem(random);
@@ -44,7 +44,7 @@ TEST(OptimalLaw, TimeAndStrokeScaleJAndNothingElse) {
 }
 
 TEST(OptimalLaw, WithoutDegreeItComesWithinAHundredthOfAllLaws) {
-  SilentProgress progress;
+  Progress progress;
   const OptimalLaw law = plan_optimal_law(testing::rest_to_rest(30, 0.5), progress);
   EXPECT_LE(law.solution.value.objective, 1.01 * law.solution.bound->objective * (1 + 1e-6));
   EXPECT_EQ(law.degree, 3);
@@ -53,7 +53,7 @@ TEST(OptimalLaw, WithoutDegreeItComesWithinAHundredthOfAllLaws) {
 }
 
 TEST(OptimalLaw, AWeightedSectionBetweenRestsHasItsOwnOptimum) {
-  SilentProgress progress;
+  Progress progress;
   const auto alone = [&](double angle) {
     MotionLawProblem problem = testing::rest_to_rest(30, angle / 360);
     problem.objective.weight = {0, 1, 0.05, 0.001};
@@ -79,7 +79,7 @@ TEST(OptimalLaw, AWeightedSectionBetweenRestsHasItsOwnOptimum) {
 }
 
 TEST(OptimalLaw, WithWeightsItIsNotWorseThanTheLawWithoutAndKeepsItsBound) {
-  SilentProgress progress;
+  Progress progress;
   Random random(11);
   for (int k = 0; k < 5; ++k) {
     MotionLawProblem problem = testing::random_problem(random);
@@ -95,7 +95,7 @@ TEST(OptimalLaw, WithWeightsItIsNotWorseThanTheLawWithoutAndKeepsItsBound) {
 }
 
 TEST(OptimalLaw, OvershootIsNotedWithTheLimitThatPreventsIt) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(25, {testing::fixed(20)}, 3));
   problem.degree = 7;
@@ -108,7 +108,7 @@ TEST(OptimalLaw, OvershootIsNotedWithTheLimitThatPreventsIt) {
 
 /// A dwell: a section whose velocity is 0 all over.
 TEST(OptimalLaw, LimitsThatAreValuesHoldAllOver) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(50, {testing::fixed(30)}));
   problem.points[1].section[1] = {0, 0};
@@ -120,7 +120,7 @@ TEST(OptimalLaw, LimitsThatAreValuesHoldAllOver) {
 }
 
 TEST(OptimalLaw, FaultsNameTheirPlace) {
-  SilentProgress progress;
+  Progress progress;
   const auto place_of = [&](const MotionLawProblem& problem) {
     try {
       plan_optimal_law(problem, progress);
@@ -160,7 +160,7 @@ double largest_effort(const EffortLimit& effort, const CamLaw& law) {
 
 /// A mass on a spring with a damper: the force is linear in the law, at angles that are free, too.
 TEST(OptimalLaw, TheForceOfAMassWithSpringAndDamperHoldsAllOver) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(40, 0.4);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(45, {testing::fixed(18)}));
   problem.degree = 5;
@@ -187,7 +187,7 @@ TEST(OptimalLaw, TheForceOfAMassWithSpringAndDamperHoldsAllOver) {
 }
 
 TEST(OptimalLaw, TheDriveDecidesWhereTheCycleHasNoDuration) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(40, 1);
   problem.cycle_duration.reset();
   problem.drive = DriveLimits{100, 1200, 30000};
@@ -204,7 +204,7 @@ TEST(OptimalLaw, TheDriveDecidesWhereTheCycleHasNoDuration) {
 
 /// Splines of 2 pieces are splines of 4 and of 6, and so on: more of them never make J greater by more than 1e-9.
 TEST(OptimalLaw, MorePiecesThatDivideEachOtherAreNeverWorse) {
-  SilentProgress progress;
+  Progress progress;
   Random random(11);
   for (int k = 0; k < 2; ++k) {
     MotionLawProblem problem = testing::rest_to_rest(30, 1);

@@ -31,7 +31,7 @@ MotionLawProblem packing_cam() {
 }
 
 TEST(StraightSections, AreStraightInAnOptimalLaw) {
-  SilentProgress progress;
+  Progress progress;
   const MotionLawProblem problem = packing_cam();
   const OptimalLaw found = plan_optimal_law(problem, progress);
   EXPECT_TRUE(found.proven);
@@ -62,7 +62,7 @@ Places refused(const MotionLawProblem& problem, bool straight) {
 
 /// No rounding of the program is left in it: a dwell at 0 is at 0.
 TEST(StraightSections, AreOneLineBetweenTheirNumbers) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = packing_cam();
   problem.points[3].values[0] = problem.points[4].values[0] = testing::fixed(0);
   const CamLaw law = plan_optimal_law(problem, progress).solution.law;

@@ -12,7 +12,7 @@ namespace {
 
 TEST(ChainOrder, AgreesWithASearchThroughAll) {
   Random random(5);
-  SilentProgress silent;
+  Progress silent;
   for (int round = 0; round < 20; ++round) {
     std::vector<ChainEntries> list;
     for (int i = 0; i < 120; ++i) {
@@ -40,7 +40,7 @@ TEST(ChainOrder, AgreesWithASearchThroughAll) {
 }
 
 /// Counts what is reported: the tree reports its steps.
-class Counting final : public Progress {
+class Counting final : public ProgressSink {
  public:
   void report(std::string_view, double, std::string_view) override { ++reports; }
   int reports = 0;

@@ -14,7 +14,7 @@ namespace bahnwerk {
 namespace {
 
 TimeLaw law(const Contour& contour, const AccelerationLimitedOptions& options = {}) {
-  SilentProgress progress;
+  Progress progress;
   return plan_acceleration_limited(contour, bahnwerk::testing::two_axes(), options, progress).law;
 }
 double duration(const Contour& contour, const AccelerationLimitedOptions& options = {}) {
@@ -94,7 +94,7 @@ Contour winding(int arcs, double feed = unlimited) {
 
 TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeSection) {
   const Machine m = bahnwerk::testing::two_axes();
-  SilentProgress progress;
+  Progress progress;
   const Contour contour = winding(400);
   for (const bool reserve : {false, true}) {
     AccelerationLimitedOptions whole, pieces;
@@ -115,7 +115,7 @@ TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeSection) {
 }
 
 TEST(AccelerationLimited, WindowsStaySmallAtASteadyFeed) {
-  SilentProgress progress;
+  Progress progress;
   const Contour contour = winding(1000, 20);
   AccelerationLimitedOptions whole, windows;
   whole.window = 1 << 20;
@@ -128,7 +128,7 @@ TEST(AccelerationLimited, WindowsStaySmallAtASteadyFeed) {
 }
 
 TEST(AccelerationLimited, CellsGetWiderWhereThereAreTooMany) {
-  SilentProgress progress;
+  Progress progress;
   const Machine m = bahnwerk::testing::two_axes();
   const Contour contour = winding(400);
   AccelerationLimitedOptions fine, wide;
@@ -145,7 +145,7 @@ TEST(AccelerationLimited, CellsGetWiderWhereThereAreTooMany) {
 }
 
 TEST(AccelerationLimited, CellsAreAsWideAsAsked) {
-  SilentProgress progress;
+  Progress progress;
   const Machine m = bahnwerk::testing::two_axes();
   const Contour contour = winding(40);
   const auto exact = plan_acceleration_limited(contour, m, {}, progress);
@@ -159,7 +159,7 @@ TEST(AccelerationLimited, CellsAreAsWideAsAsked) {
 }
 
 TEST(AccelerationLimited, StopsWhenAsked) {
-  struct Impatient final : Progress {
+  struct Impatient final : ProgressSink {
     void report(std::string_view, double, std::string_view) override { throw Stopped(StopReason::cancelled); }
   } impatient;
   EXPECT_THROW(plan_acceleration_limited(curve(), bahnwerk::testing::two_axes(), {}, impatient), Stopped);
@@ -168,7 +168,7 @@ TEST(AccelerationLimited, StopsWhenAsked) {
 TEST(AccelerationLimited, RefusesLimitsThatAreNone) {
   Machine m = bahnwerk::testing::two_axes();
   m.axes[1].acceleration = 0;
-  SilentProgress progress;
+  Progress progress;
   EXPECT_THROW(plan_acceleration_limited(curve(), m, {}, progress), InvalidInput);
 }
 

@@ -67,7 +67,7 @@ struct FiveAxes : testing::Test {
   const Machine machine{kinematics.axes(), 0.001};
   const KinematicAxisPath path{contour.path, kinematics};
   const PathTask task = contour_task(path, contour, machine);
-  SilentProgress progress;
+  Progress progress;
 };
 
 TEST_F(FiveAxes, TimeOptimalUsesSomeLimitAllTheTime) {
@@ -101,7 +101,7 @@ constexpr Limits coordinate{900, 9000, 600000};  // of x and of y
 /// Units and repeated axes change nothing: x and y through kinematics are x and y.
 TEST(ManyAxes, TwoToEightPlanLikeTheCoordinatesTheyAre) {
   const Contour contour = bow();
-  SilentProgress progress;
+  Progress progress;
   Machine two;
   two.axes = {{"x", 900, 9000, 600000}, {"y", 900, 9000, 600000}};
   const double quick = plan_acceleration_limited(contour, two, {}, progress).law.duration(),
@@ -128,7 +128,7 @@ TEST(ManyAxes, OneAxisAlongALineTakesTheClosedForm) {
   const test::CoordinateAxes kinematics(1, coordinate, coordinate, 1);
   const Machine machine{kinematics.axes(), 0.001};
   const KinematicAxisPath path(contour.path, kinematics);
-  SilentProgress progress;
+  Progress progress;
   const TimeLaw law = plan_acceleration_limited(contour_task(path, contour, machine), {}, progress).law;
   // 40 mm of x at 9000 mm/s²; √(40·9000) = 600 mm/s stays below its limit of 900.
   EXPECT_NEAR(law.duration(), 2 * std::sqrt(40.0 / 9000), 1e-6);

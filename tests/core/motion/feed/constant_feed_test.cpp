@@ -11,8 +11,8 @@ namespace bahnwerk {
 namespace {
 
 TimeLaw planned(const test::FeedProblem& problem, const FeedOptions& options) {
-  SilentProgress progress;
-  return plan_constant_feed(*problem.task, options, progress, 0, 1);
+  Progress progress;
+  return plan_constant_feed(*problem.task, options, progress);
 }
 
 TEST(ConstantFeed, IsAStraightMoveOnALine) {

@@ -13,8 +13,8 @@ namespace bahnwerk {
 namespace {
 
 TimeLaw planned(const test::FeedProblem& problem, const FeedOptions& options) {
-  SilentProgress progress;
-  return plan_critical_points(*problem.task, options, progress, 0, 1);
+  Progress progress;
+  return plan_critical_points(*problem.task, options, progress);
 }
 
 /// A slow segment between two fast ones, all on a line: one straight move after the other, in closed form.
@@ -74,14 +74,14 @@ TEST(CriticalPointsProperty, IsVerifiedAndBetweenTheOthers) {
       const bool jerk = speed_profile_row(profile).limits_jerk;
       const TimeLaw law =
           test::verified(problem, options, plan_critical_points, std::string(name) + " " + std::to_string(n));
-      SilentProgress progress;
-      const TimeLaw constant = plan_constant_feed(*problem.task, options, progress, 0, 1);
+      Progress progress;
+      const TimeLaw constant = plan_constant_feed(*problem.task, options, progress);
       EXPECT_LE(law.duration(), constant.duration()) << name << ' ' << n;
       gained += constant.duration() / law.duration() - 1;
       if (!jerk) continue;
       JerkLimitedOptions optimised;
       optimised.path = options.path;
-      EXPECT_GE(law.duration(), plan_jerk_limited(*problem.task, optimised, progress, 0, 1).law.duration() * (1 - 1e-3))
+      EXPECT_GE(law.duration(), plan_jerk_limited(*problem.task, optimised, progress).law.duration() * (1 - 1e-3))
           << name << ' ' << n;
     }
   }

@@ -11,8 +11,8 @@ namespace bahnwerk {
 namespace {
 
 FeedGrid grid_of(const PathTask& task, FeedGridOptions options = {}) {
-  static SilentProgress progress;
-  ProgressScope stage_progress(progress, "test", 0, 1);
+  static Progress progress;
+  ProgressScope stage_progress(progress, "test");
   return {task, options, stage_progress};
 }
 

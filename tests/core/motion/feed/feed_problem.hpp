@@ -84,7 +84,7 @@ inline std::string faults(const FeedProblem& problem, const TimeLaw& law, const 
   input.corner_angle = FeedOptions{}.corner_angle;
   input.check_jerk = jerk;
   input.along = along;
-  SilentProgress progress;
+  Progress progress;
   std::string list;
   for (const Check& check : verify_motion(input, progress).checks)
     if (!check.passed && !(check.value <= check.limit * (1 + excess)))
@@ -100,8 +100,8 @@ TimeLaw verified(const FeedProblem& problem, FeedOptions options, Plan&& plan, c
   Limits along = options.path;
   if (!jerk) along.jerk = unlimited;
   for (int attempt = 1;; ++attempt, options.nodes *= 2) {
-    SilentProgress progress;
-    TimeLaw law = plan(*problem.task, options, progress, 0, 1);
+    Progress progress;
+    TimeLaw law = plan(*problem.task, options, progress);
     const std::string wrong = faults(problem, law, along, jerk, 1e-4);
     if (wrong.empty()) return law;
     if (attempt < 4) continue;

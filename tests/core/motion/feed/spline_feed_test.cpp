@@ -12,17 +12,17 @@ namespace bahnwerk {
 namespace {
 
 TimeLaw planned(const test::FeedProblem& problem, const Limits& along = {}) {
-  SilentProgress progress;
+  Progress progress;
   SplineFeedOptions options;
   options.path = along;
-  return plan_spline_feed(*problem.task, options, progress, 0, 1).law;
+  return plan_spline_feed(*problem.task, options, progress).law;
 }
 
 double optimum(const test::FeedProblem& problem, const Limits& along = {}) {
-  SilentProgress progress;
+  Progress progress;
   JerkLimitedOptions options;
   options.path = along;
-  return plan_jerk_limited(*problem.task, options, progress, 0, 1).law.duration();
+  return plan_jerk_limited(*problem.task, options, progress).law.duration();
 }
 
 TEST(SplineFeed, IsNearTheShortestMoveOnALine) {
@@ -57,14 +57,14 @@ TEST(SplineFeed, RefusesRestsWithin) {
 }
 
 TEST(SplineFeed, Stops) {
-  struct Stopping final : Progress {
+  struct Stopping final : ProgressSink {
     int left = 20;
     void report(std::string_view, double, std::string_view) override {
       if (--left == 0) throw Stopped(StopReason::cancelled);
     }
   } progress;
   const test::FeedProblem problem({30, 30}, {0.5}, 5);
-  EXPECT_THROW(plan_spline_feed(*problem.task, {}, progress, 0, 1), Stopped);
+  EXPECT_THROW(plan_spline_feed(*problem.task, {}, progress), Stopped);
 }
 
 }  // namespace

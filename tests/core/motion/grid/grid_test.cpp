@@ -19,8 +19,8 @@ Contour mixed() {
 
 Grid<2> grid_of(const Contour& contour, const GridOptions& options = {}) {
   Grid<2> grid;
-  SilentProgress progress;
-  ProgressScope stage_progress(progress, "planning", 0, 1);
+  Progress progress;
+  ProgressScope stage_progress(progress, "planning");
   const CartesianAxisPath axes(contour.path, 2);
   grid.build(LanePath<2>(axes), 0, contour.path.size(), contour.feeds(), bahnwerk::testing::two_axes(), options,
              stage_progress);
@@ -74,8 +74,8 @@ TEST(Grid, AxesThatTurnTogetherPartACellOnce) {
     b.polynomial({{-x * 2 * u, -x * 2 * u, x}, {-y * 2 * u, -y * 2 * u, y}, {-10, 30, 0}});
     const Contour contour = b.finish();
     Grid<3> grid;
-    SilentProgress progress;
-    ProgressScope stage_progress(progress, "planning", 0, 1);
+    Progress progress;
+    ProgressScope stage_progress(progress, "planning");
     const CartesianAxisPath axes(contour.path, 3);
     grid.build(LanePath<3>(axes), 0, contour.path.size(), contour.feeds(), machine, {}, stage_progress);
     for (std::size_t c = 0; c < grid.cells.size(); ++c) ASSERT_GT(grid.length(c), 1e-6) << i << ", cell " << c;
@@ -120,8 +120,8 @@ TEST(Grid, DivideKeepsTheEnds) {
   parts[1] = 5;
   parts[n - 1] = 2;
   const double left = grid.left(1).s, right = grid.right(1).s;
-  SilentProgress progress;
-  ProgressScope stage_progress(progress, "planning", 0, 1);
+  Progress progress;
+  ProgressScope stage_progress(progress, "planning");
   const CartesianAxisPath axes(contour.path, 2);
   grid.divide(LanePath<2>(axes), parts, stage_progress);
   EXPECT_EQ(grid.cells.size(), n + 5);

@@ -15,8 +15,8 @@ constexpr double corner_angle = 2e-3;
 
 /// Per section, which one it repeats.
 std::vector<std::size_t> sources(const PathTask& task) {
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   const Sections sections = find_sections(task, corner_angle, progress);
   SectionRepeats repeats(task, sections, progress);
   std::vector<std::size_t> list;

@@ -19,8 +19,8 @@ constexpr Interpolator all[] = {Interpolator::exact, Interpolator::taylor1, Inte
                                 Interpolator::quartic};
 
 Interpolation interpolate(const test::Moved& moved, Interpolator interpolator) {
-  SilentProgress progress;
-  ProgressScope stage_progress(progress, "interpolate", 0, 1);
+  Progress progress;
+  ProgressScope stage_progress(progress, "interpolate");
   return {moved.motion, interpolator, moved.cycle_time, moved.cycles, stage_progress};
 }
 

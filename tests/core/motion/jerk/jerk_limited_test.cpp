@@ -24,7 +24,7 @@ Machine machine(double jerk, double acceleration = 16000, double velocity = 1800
 
 /// Plans, and has the verifier look at every limit.
 TimeLaw law(const Contour& contour, const Machine& m, const JerkLimitedOptions& options = {}) {
-  SilentProgress progress;
+  Progress progress;
   TimeLaw result = plan_jerk_limited(contour, m, options, progress).law;
   ContourVerifierInput input{contour, m, result, options.corner_angle, true};
   input.path = options.path;
@@ -96,7 +96,7 @@ TEST(JerkLimited, WithinHalfAPercentOfADirectSolution) {
 }
 
 TEST(JerkLimited, TendsToTheAccelerationLimitedOptimum) {
-  SilentProgress progress;
+  Progress progress;
   const double limit = plan_acceleration_limited(curve(), machine(unlimited), {}, progress).law.duration();
   double before = unlimited;
   for (const double J : {1e5, 1e6, 1e7, 1e8, 1e9}) {
@@ -239,14 +239,14 @@ TEST(JerkLimited, Micrometres) {
 }
 
 TEST(JerkLimited, StopsWhenAsked) {
-  struct Impatient final : Progress {
+  struct Impatient final : ProgressSink {
     void report(std::string_view, double, std::string_view) override { throw Stopped(StopReason::cancelled); }
   } impatient;
   EXPECT_THROW(plan_jerk_limited(curve(), machine(1e6), {}, impatient), Stopped);
 }
 
 TEST(JerkLimited, RefusesLimitsThatAreNone) {
-  SilentProgress progress;
+  Progress progress;
   for (const double bad : {0.0, -1.0, std::nan("")}) {
     EXPECT_THROW(plan_jerk_limited(curve(), machine(bad), {}, progress), InvalidInput);
     JerkLimitedOptions options;

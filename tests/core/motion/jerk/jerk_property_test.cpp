@@ -66,7 +66,7 @@ std::vector<double> gaps_in_readme() {
 class JerkProperty : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(JerkProperty, NoLimitIsViolated) {
-  SilentProgress progress;
+  Progress progress;
   std::vector<double> gaps;
   for (std::size_t i = 0; i < problems(); ++i) {
     const std::uint64_t seed = 1 + i * shards + GetParam();
@@ -104,7 +104,7 @@ TEST_P(JerkProperty, NoLimitIsViolated) {
 /// long: first a long cell at a small feed behind short ones, then a turn of the limited axis next to which the other
 /// one may brake at once.
 TEST(JerkHard, AxesWithoutALimitOfJerk) {
-  SilentProgress progress;
+  Progress progress;
   for (const auto& [seed, most] : {std::pair{82, 1.001}, std::pair{288, 1.6}}) {
     const Problem p = random_problem(static_cast<std::uint64_t>(seed));
     const Contour contour = testing::build(p.outline);

@@ -59,7 +59,7 @@ Contour serpentine(int turns, std::uint64_t seed) {
 
 /// Plans, and has the verifier look at every limit, and at every step of speed and acceleration.
 double verified(const Contour& contour, const Machine& m, JerkLimitedOptions options, std::size_t window) {
-  SilentProgress progress;
+  Progress progress;
   options.window = window;
   const TimeLaw law = plan_jerk_limited(contour, m, options, progress).law;
   ContourVerifierInput input{contour, m, law, options.corner_angle, true};

@@ -25,7 +25,7 @@ TEST(BlockTimes, FollowEachOtherWithoutGapsAndHoldTheirDwells) {
   moving.append({0, 3, 4, 7, 0, 2.0 / 3, 0, 2});
   moving.append({0, 3, 7, 10, 2, -2.0 / 3, 0, 2});
   const CartesianAxisPath path(contour.path, 2);
-  SilentProgress progress;
+  Progress progress;
   const Machine machine;
   const TimeLaw law = with_dwells(moving, contour_task(path, contour, machine), progress);
   const auto times = block_times(contour, law);

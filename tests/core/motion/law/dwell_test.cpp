@@ -35,7 +35,7 @@ TimeLaw law() {
 TEST(Dwell, EveryRestBecomesAPieceThatStands) {
   const Contour contour = two_lines();
   const CartesianAxisPath path(contour.path, 2);
-  SilentProgress progress;
+  Progress progress;
   const Machine machine;
   const TimeLaw with = with_dwells(law(), contour_task(path, contour, machine), progress);
   ASSERT_EQ(with.pieces().size(), 6u);

@@ -38,8 +38,8 @@ struct Driven {
     for (AxisLimits& axis : machine.axes) axis.velocity = velocity, axis.acceleration = acceleration, axis.jerk = jerk;
   }
   double excess() const {
-    SilentProgress silent;
-    ProgressScope progress(silent, "test", 0, 1);
+    Progress silent;
+    ProgressScope progress(silent, "test");
     const PathTask task{*axes, machine, std::vector<double>(tool.size(), unlimited), rests};
     return law_excess(task, law, along, progress);
   }
@@ -147,7 +147,7 @@ TEST(LawExcessProperty, IsWhatTheVerifierFinds) {
     driven.law.slow(driven.excess());
     VerifierInput input{*driven.axes, driven.machine, driven.law, {unlimited}, driven.rests};
     input.check_jerk = true;
-    SilentProgress silent;
+    Progress silent;
     double most = 0;
     for (const Check& check : verify_motion(input, silent).checks) {
       const double ratio = check.value / check.limit;

@@ -32,8 +32,8 @@ TimeLaw law() {
 
 TimeLaw law_twice() {
   TimeLaw twice = law();
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   repeat_law(twice, 0, 3, path, 0, 3, 2, progress);
   return twice;
 }

@@ -41,8 +41,8 @@ struct Problem {
         axes(corner.tool, 2),
         task{axes, machine, {unlimited, unlimited, unlimited}, {true, false, false, true}} {}
   TimeLaw law(std::size_t steps = 64, Limits along = {}) const {
-    SilentProgress progress;
-    return plan_natural(task, {corner.shares, steps, along}, progress, 0, 1);
+    Progress progress;
+    return plan_natural(task, {corner.shares, steps, along}, progress);
   }
 };
 
@@ -89,7 +89,7 @@ TEST(NaturalLaw, KeepsTheLimitsAndReachesOne) {
     const auto worst = [&] {
       VerifierInput input{problem.axes, problem.machine, law, feeds, problem.task.rests};
       input.check_jerk = true;
-      SilentProgress progress;
+      Progress progress;
       double most = 0;
       for (const Check& check : verify_motion(input, progress).checks)
         if (check_name(check).ends_with(" x") || check_name(check).ends_with(" y"))  // of an axis
@@ -114,9 +114,9 @@ TEST(NaturalLaw, LimitsAlongThePathSlowEverything) {
 
 TEST(NaturalLaw, RefusesSharesThatDoNotFit) {
   Problem problem(100);
-  SilentProgress progress;
-  EXPECT_THROW(plan_natural(problem.task, {{0, 1}, 64, {}}, progress, 0, 1), std::invalid_argument);
-  EXPECT_THROW(plan_natural(problem.task, {{0, 0.5, 0}, 64, {}}, progress, 0, 1), std::invalid_argument);
+  Progress progress;
+  EXPECT_THROW(plan_natural(problem.task, {{0, 1}, 64, {}}, progress), std::invalid_argument);
+  EXPECT_THROW(plan_natural(problem.task, {{0, 0.5, 0}, 64, {}}, progress), std::invalid_argument);
 }
 
 }  // namespace

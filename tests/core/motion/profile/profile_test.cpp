@@ -182,7 +182,7 @@ TEST(Profile, EqualsThePlannerOnALine) {
       ContourBuilder b(2, {});
       b.block(Mode::cut, feed);
       b.line(length * direction);
-      SilentProgress progress;
+      Progress progress;
       const double planned = plan_acceleration_limited(b.finish(), m, {}, progress).law.duration();
       EXPECT_NEAR(duration(length, {std::min(V, feed), A}), planned, 1e-9 * planned);
     }

@@ -19,8 +19,8 @@ using test::line;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double solved(const RelaxationProblem<2>& problem) {
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   RelaxationSolver<2> solver;
   const RelaxationOutcome outcome = solver.solve(problem, {}, progress);
   EXPECT_TRUE(outcome.converged);
@@ -82,8 +82,8 @@ TEST(Relaxation, LooserLimitsAreNotSlower) {
 // duration again; for any others it is less.
 TEST(Relaxation, MultipliersAreFeasibleAndTheirDualIsTheOptimum) {
   const auto p = circle(10, 150, 400, 16000, 1e6);
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   RelaxationSolver<2> solver;
   RelaxationOptions options;
   options.gap = 1e-8;
@@ -98,8 +98,8 @@ TEST(Relaxation, MultipliersAreFeasibleAndTheirDualIsTheOptimum) {
 }
 
 TEST(Relaxation, OneCellAndMemoryOfAnotherProblem) {
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   RelaxationSolver<2> solver;
   const auto large = circle(10, 300, 1800, 16000, 1e6), small = line(1, 1, 1800, 16000, 1e6);
   const double first = solver.solve(large, {}, progress).duration;

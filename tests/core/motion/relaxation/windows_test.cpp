@@ -18,8 +18,8 @@ TEST(RelaxationWindows, LoseNextToNothingAgainstTheWhole) {
     p.steps.push_back({cell, 0, {1e-4, 1e-4}, {}});
     for (std::size_t i = cell; i < cell + 40; ++i) p.cells[i].cap /= 4;  // something to slow down for
   }
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   RelaxationSolver<2> whole;
   const double optimum = whole.solve(p, {}, progress).duration;
   RelaxationWindows<2> windows;
@@ -39,8 +39,8 @@ TEST(RelaxationWindows, LoseNextToNothingAgainstTheWhole) {
 
 TEST(RelaxationWindows, AreTheWholeForShortProblems) {
   const auto p = test::circle(10, 300, 400, 16000, 1e6);
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   RelaxationSolver<2> whole;
   whole.solve(p, {}, progress);
   RelaxationWindows<2> windows;

@@ -31,7 +31,7 @@ Planned planned(const Machine& m) {
           {0, 0, 0, 0, 0.4, 1, 1, 1, 1});
   Planned p;
   p.contour = b.finish();
-  SilentProgress progress;
+  Progress progress;
   const TimeLaw law = plan_acceleration_limited(p.contour, m, {}, progress).law;
   p.cycles = whole_cycles(law.duration(), m.cycle_time);
   p.motion = slowed(p.contour, m, law, p.cycles);
@@ -135,7 +135,7 @@ TEST(ContourSetpoints, ModeAndBlockChangeWhereTheBlocksMeet) {
   const Contour contour = b.finish();
   ASSERT_EQ(contour.blocks.size(), 6u);
   const Machine m = machine();
-  SilentProgress progress;
+  Progress progress;
   const TimeLaw law = plan_acceleration_limited(contour, m, {}, progress).law;
   const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
   const auto t = slowed(contour, m, law, cycles);

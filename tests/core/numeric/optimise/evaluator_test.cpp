@@ -11,7 +11,7 @@ namespace {
 TEST(OptimisationEvaluator, RunsTheCallbacksOncePerPoint) {
   const KnownProblem k = hs71();
   const OptimisationOptions options;
-  SilentProgress silent;
+  Progress silent;
   OptimisationEvaluator evaluator(k.problem, options, silent);
   const std::vector<double> a{1, 5, 5, 1}, b{1, 4, 4, 1};
   evaluator.at(a, false);
@@ -28,7 +28,7 @@ TEST(OptimisationEvaluator, RunsTheCallbacksOncePerPoint) {
 TEST(OptimisationEvaluator, KeepsTheBestFeasiblePointElseTheLeastViolation) {
   const KnownProblem k = hs35();  // x₀ + x₁ + 2x₂ ≤ 3
   const OptimisationOptions options;
-  SilentProgress silent;
+  Progress silent;
   OptimisationEvaluator evaluator(k.problem, options, silent);
   const auto best_after = [&](std::vector<double> z) {
     evaluator.at(z, false);

@@ -10,7 +10,7 @@ namespace {
 
 double residual(const OptimisationProblem& problem, const std::vector<double>& x) {
   const OptimisationOptions options;
-  SilentProgress silent;
+  Progress silent;
   OptimisationEvaluator evaluator(problem, options, silent);
   return kkt_residual(evaluator, evaluator.at(evaluator.scaled(x), true));
 }

@@ -113,7 +113,7 @@ TEST(Minimise, KeepsToTheLargestNumberOfEvaluations) {
   }
 }
 
-struct StopAt final : Progress {
+struct StopAt final : ProgressSink {
   explicit StopAt(std::size_t last) : left(last) {}
   void report(std::string_view stage, double fraction, std::string_view) override {
     EXPECT_EQ(stage, "optimise");

@@ -18,7 +18,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity(),
 
 inline OptimisationResult solve(const OptimisationProblem& problem, const std::vector<double>& start,
                                 OptimisationOptions options = {}) {
-  SilentProgress silent;
+  Progress silent;
   return minimise(problem, start, options, silent);
 }
 

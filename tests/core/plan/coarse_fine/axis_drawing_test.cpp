@@ -18,7 +18,7 @@ std::size_t count(const std::string& text, const std::string& what) {
 }
 
 TEST(AxisDrawing, HasSixPanelsPerAxisAndStaysSmall) {
-  SilentProgress progress;
+  Progress progress;
   const CoarseFinePlan plan = plan_coarse_fine(test::holes(6, 6, 12, 2), test::md2(), {}, {}, progress);
   const std::string svg = axis_drawing(plan, test::md2(), progress);
   EXPECT_EQ(count(svg, "<rect"), 1u + 12);
@@ -33,7 +33,7 @@ TEST(AxisDrawing, HasSixPanelsPerAxisAndStaysSmall) {
 }
 
 TEST(AxisDrawing, TheWayOfTheCoarseAxesStaysWithinTheStrokeOfThePath) {
-  SilentProgress progress;
+  Progress progress;
   const CoarseFinePlan plan = plan_coarse_fine(test::holes(3, 1, 12, 2), test::md2(), {}, {}, progress);
   const std::vector<Vec> way = coarse_way(plan);
   ASSERT_EQ(way.size(), plan.coarse->pieces() + 1);

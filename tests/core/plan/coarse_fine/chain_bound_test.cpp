@@ -14,7 +14,7 @@ namespace {
 
 TEST(ChainBound, NoPlanIsShorterWhereverItLooks) {
   Random random(17);
-  SilentProgress progress;
+  Progress progress;
   int gained = 0;
   for (int i = 0; i < 16; ++i) {
     CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
@@ -28,7 +28,7 @@ TEST(ChainBound, NoPlanIsShorterWhereverItLooks) {
     const PathTask task = contour_task(path, *plan.contour.path, head);
     const std::vector<AxisLimits> coarse = coarse_limits(machine), fine = fine_limits(machine);
     std::vector<SectionBound> sections;
-    lower_bound(task, ContourPlanning{}.corner_angle, progress, 0, 1, &sections);
+    lower_bound(task, ContourPlanning{}.corner_angle, progress, &sections);
     raise_by_stroke({task, coarse, fine}, sections, progress);
     double single = 0;
     for (const SectionBound& s : sections) single += s.duration;

@@ -18,7 +18,7 @@ namespace {
 
 CoarseFinePlan plan(Contour contour, const CoarseFineMachine& machine, const ContourPlanning& planning = {},
                     const RedundancyOptions& options = {}) {
-  SilentProgress progress;
+  Progress progress;
   return plan_coarse_fine(std::move(contour), machine, planning, options, progress);
 }
 

@@ -86,7 +86,7 @@ TEST(FittedMotion, AnAxisThatFollowsATinyArcFarAlongThePathIsContinuousButForThe
   fine_axes[0].lowest = -4e4, fine_axes[0].highest = 4e4;
   fine_axes[1].lowest = fine_axes[1].highest = 0;
   const CoarseFineToVerify input{*path, slowed, fitted, coarse_axes, fine_axes};
-  SilentProgress progress;
+  Progress progress;
   for (const Check& check : coarse_fine_checks(input, progress)) {
     if (check.quantity != quantity::continuity) continue;
     EXPECT_TRUE(check.passed) << check_name(check) << " " << check.value << " " << check.limit;

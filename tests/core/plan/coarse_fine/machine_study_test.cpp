@@ -12,10 +12,10 @@ using testing::HasSubstr;
 
 /// 6 holes of 4 mm need no more than a few mm of stroke, and more acceleration makes them quicker.
 TEST(MachineStudy, TellsWhatOtherFineAxesBring) {
-  SilentProgress progress;
+  Progress progress;
   const Contour contour = test::holes(2, 1, 12, 2);
   const CoarseFinePlan plan = plan_coarse_fine(contour, test::md2(), {}, {}, progress);
-  const MachineStudy study = machine_study(contour, test::md2(), {}, {}, usual_studies(), progress, 0, 1);
+  const MachineStudy study = machine_study(contour, test::md2(), {}, {}, usual_studies(), progress);
   ASSERT_EQ(study.size(), std::size(studied_quantities));
   const auto& strokes = study[0].machines;
   ASSERT_EQ(strokes.size(), 10u);
@@ -38,12 +38,12 @@ TEST(MachineStudy, TellsWhatOtherFineAxesBring) {
 }
 
 TEST(MachineStudy, TakesTheValuesThatAreAskedForAndTellsWhyThereIsNoPlan) {
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.max_setpoints = 30;  // too few for the slow one
   const MachineStudy study = machine_study(
       test::straight(20, 0), test::md2(), planning, {},
-      {{StudiedQuantity::coarse_acceleration, {16000, 8000}}, {StudiedQuantity::fine_velocity, {1.5}}}, progress, 0, 1);
+      {{StudiedQuantity::coarse_acceleration, {16000, 8000}}, {StudiedQuantity::fine_velocity, {1.5}}}, progress);
   ASSERT_EQ(study.size(), 2u);
   ASSERT_EQ(study[0].machines.size(), 2u);
   EXPECT_EQ(study[0].machines[0].value, 8000);
@@ -56,9 +56,9 @@ TEST(MachineStudy, TakesTheValuesThatAreAskedForAndTellsWhyThereIsNoPlan) {
 /// A long move takes what the coarse axes need for all but two strokes, (800 − 2 S)/1800 + 1800/16000 s; every row has
 /// it.
 TEST(MachineStudy, EveryStrokeOfALongMoveHasItsDuration) {
-  SilentProgress progress;
+  Progress progress;
   const MachineStudy study = machine_study(test::straight(800, 0), test::md2(), {}, {},
-                                           {{StudiedQuantity::stroke, {0.005, 5, 10, 40}}}, progress, 0, 1);
+                                           {{StudiedQuantity::stroke, {0.005, 5, 10, 40}}}, progress);
   for (const StudiedMachine& m : study[0].machines) {
     ASSERT_TRUE(m.duration) << m.value << " " << m.note;
     EXPECT_NEAR(*m.duration, (800 - 2 * m.value) / 1800 + 0.1125, 1e-6);

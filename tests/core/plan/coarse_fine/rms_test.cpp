@@ -17,8 +17,8 @@ TEST(Rms, IsOfCoarseAxesAndOfWhatTheyLeave) {
   head[1].end = 4, head[1].axes = {Polynomial{50}};
   coarse[0].end = 0.5, coarse[0].axes = {Polynomial{0, 0, 20}};
   coarse[1].end = 4, coarse[1].axes = {Polynomial{5, 20}};
-  SilentProgress progress;
-  ProgressScope scope(progress, "report", 0, 1);
+  Progress progress;
+  ProgressScope scope(progress, "report");
   const RmsAccelerations rms = rms_accelerations(SplineMotion(std::move(head)), SplineMotion(std::move(coarse)), scope);
   EXPECT_NEAR(rms.coarse[0], std::sqrt(40 * 40 * 0.5 / 4), 1e-12);
   EXPECT_NEAR(rms.fine[0], std::sqrt((60 * 60 * 0.5 + 100 * 100 * 0.5) / 4), 1e-12);

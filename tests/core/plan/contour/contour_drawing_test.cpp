@@ -20,7 +20,7 @@ namespace bahnwerk {
 namespace {
 
 std::string draw(const Contour& contour, std::size_t most = 200'000) {
-  SilentProgress progress;
+  Progress progress;
   return contour_drawing(contour, {"a title <&", most}, progress);
 }
 
@@ -76,7 +76,7 @@ TEST(ContourDrawing, TheLegendEndsInsideTheDrawing) {
     law.append({.duration = 1, .s = s, .s_end = s + length, .v = length, .a = 0, .j = 0, .segment = i});
     s += length;
   }
-  SilentProgress progress;
+  Progress progress;
   for (const TimeLaw* speeds : {static_cast<const TimeLaw*>(nullptr), static_cast<const TimeLaw*>(&law)}) {
     const std::vector<Vec> way{{0, 0, 0}, {10.25, 1210.75, 0}};
     const std::string drawing = contour_drawing(contour, {.title = "legend", .way = way, .law = speeds}, progress);
@@ -100,7 +100,7 @@ TEST(ContourDrawing, CutsAreColouredByTheirSpeed) {
   const double middle = std::sqrt(2 * 1000 * 50.0);
   law.append({.duration = middle / 1000, .s = 0, .s_end = 50, .v = 0, .a = 1000, .j = 0, .segment = 0});
   law.append({.duration = middle / 1000, .s = 50, .s_end = 100, .v = middle, .a = -1000, .j = 0, .segment = 0});
-  SilentProgress progress;
+  Progress progress;
   const std::string drawing = contour_drawing(contour, {.title = "by speed", .law = &law}, progress);
   EXPECT_TRUE(has(drawing, "316.2 mm/s"));
   const auto all = strokes(drawing, "cut");

@@ -39,7 +39,7 @@ double distance(Vec p, Vec a, Vec b) {
 }
 
 TEST(ContourOutline, IsWithinItsToleranceAndItsNumberOfVertices) {
-  SilentProgress progress;
+  Progress progress;
   for (const std::size_t most : {2U, 10U, 100U, 5000U}) {
     const Contour contour = random_contour(1, 100, 100);
     const Outline shape = outline(contour, most, progress);
@@ -55,7 +55,7 @@ TEST(ContourOutline, IsWithinItsToleranceAndItsNumberOfVertices) {
 }
 
 TEST(ContourOutline, TellsWhereSomethingIsCut) {
-  SilentProgress progress;
+  Progress progress;
   ContourBuilder builder(2, {});
   builder.block(Mode::cut, 100);
   builder.line({10, 0, 0});
@@ -69,7 +69,7 @@ TEST(ContourOutline, TellsWhereSomethingIsCut) {
 }
 
 TEST(ContourOutline, ThinsPolylines) {
-  SilentProgress progress;
+  Progress progress;
   std::vector<Vec> circle;
   for (int i = 0; i <= 20000; ++i)
     circle.push_back({50 * std::cos(std::numbers::pi * i / 1e4), 50 * std::sin(std::numbers::pi * i / 1e4), 0});
@@ -80,7 +80,7 @@ TEST(ContourOutline, ThinsPolylines) {
 }
 
 TEST(DurationEstimate, IsThatOfAPlanWithinAFifth) {
-  SilentProgress progress;
+  Progress progress;
   for (const double feed : {20.0, 200.0, unlimited}) {
     const Contour contour = random_contour(3, 20, feed);
     ContourPlanning planning;

@@ -19,7 +19,7 @@ class PlanProperty : public ::testing::TestWithParam<int> {
  protected:
   /// A Machine by value: the plan must not hang on anything of ours.
   static ContourPlan plan(const Outline& outline, const Machine& machine, PlanningMethod method) {
-    SilentProgress progress;
+    Progress progress;
     ContourPlanning planning;
     planning.method = method;
     planning.braking_reserve = 0.7;

@@ -45,9 +45,9 @@ TEST(ContourReport, BlocksLastAsInTheSampledMotionAndSumsAreThoseOfThePlan) {
 TEST(ContourReport, TangentJumpsBelowTheCornerAngleAreReportedWithTheirSpeedStep) {
   const double angle = 0.01;
   const Driven driven(angle);
-  SilentProgress silent;
+  Progress silent;
   ContourPlan plan;
-  report_joints(driven.contour, 2, driven.law, 1.5, 0.02, plan, silent, 1);
+  report_joints(driven.contour, 2, driven.law, 1.5, 0.02, plan, silent);
   ASSERT_EQ(plan.joints.size(), 1u);
   EXPECT_DOUBLE_EQ(plan.joints[0].s, 3);
   EXPECT_NEAR(plan.joints[0].angle, angle, 1e-12);
@@ -56,10 +56,10 @@ TEST(ContourReport, TangentJumpsBelowTheCornerAngleAreReportedWithTheirSpeedStep
   EXPECT_NEAR(plan.joints[0].step[0], 6 * (std::cos(angle) - 1), 1e-12);
   EXPECT_NEAR(plan.joints[0].step[1], 6 * std::sin(angle), 1e-12);
   ContourPlan corner, rounding;
-  report_joints(driven.contour, 2, driven.law, 1, 0.005, corner, silent, 1);
+  report_joints(driven.contour, 2, driven.law, 1, 0.005, corner, silent);
   EXPECT_TRUE(corner.joints.empty()) << "the head stops at corners";
   const Driven straight(1e-10);
-  report_joints(straight.contour, 2, straight.law, 1, 0.02, rounding, silent, 1);
+  report_joints(straight.contour, 2, straight.law, 1, 0.02, rounding, silent);
   EXPECT_TRUE(rounding.joints.empty());
 }
 

@@ -20,7 +20,7 @@ struct Driven {
 };
 
 Driven drive(const char* program, double blend = 0) {
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.method = PlanningMethod::time_optimal;
   if (blend > 0) planning.corner_mode = CornerMode::blend, planning.blend_tolerance = blend;

@@ -20,7 +20,7 @@ const Machine machine{
     {AxisLimits("x", 500, 5000, 1e5), AxisLimits("y", 500, 5000, 1e5), AxisLimits("z", 500, 5000, 1e5)}, 0.001};
 
 TEST(PreparedContour, CornersStayWhereNoRoundingIsAskedFor) {
-  SilentProgress silent;
+  Progress silent;
   ContourPlanning planning;
   planning.method = PlanningMethod::time_optimal;
   const auto given = corner();
@@ -40,7 +40,7 @@ TEST(PreparedContour, CornersStayWhereNoRoundingIsAskedFor) {
 }
 
 TEST(PreparedContour, RoundedCornersKeepTheFeedsOfTheirBlocks) {
-  SilentProgress silent;
+  Progress silent;
   ContourPlanning planning;
   planning.method = PlanningMethod::jerk_limited;
   planning.corner_mode = CornerMode::blend;

@@ -50,9 +50,9 @@ TEST(SectionGaps, TimesAreWithoutDwellsAndAsPlanned) {
 TEST(SectionGaps, ShortSectionsDoNotCountAndTheWorstIsNamed) {
   const Sections s;
   const CartesianAxisPath path(s.contour.path, 2);
-  SilentProgress silent;
+  Progress silent;
   std::vector<SectionGap> each;
-  const SectionGaps gaps = section_gaps(path, s.law, 1, s.bounds, silent, 0.9, &each);
+  const SectionGaps gaps = section_gaps(path, s.law, 1, s.bounds, silent, &each);
   EXPECT_EQ(gaps.count, 3u);
   ASSERT_EQ(each.size(), 3u);
   EXPECT_DOUBLE_EQ(gaps.worst.gap, 0.5);
@@ -64,10 +64,10 @@ TEST(SectionGaps, ShortSectionsDoNotCountAndTheWorstIsNamed) {
 TEST(SectionGaps, OfTwoInTheMiddleTheSmallerOneIsTheMedian) {
   Sections s;
   const CartesianAxisPath path(s.contour.path, 2);
-  SilentProgress silent;
+  Progress silent;
   s.bounds.erase(s.bounds.begin());
-  EXPECT_DOUBLE_EQ(section_gaps(path, s.law, 1, s.bounds, silent, 0.9).median, 0.25);
-  EXPECT_EQ(section_gaps(path, s.law, 1, {{1, 2, 0.1}}, silent, 0.9).count, 0u);
+  EXPECT_DOUBLE_EQ(section_gaps(path, s.law, 1, s.bounds, silent).median, 0.25);
+  EXPECT_EQ(section_gaps(path, s.law, 1, {{1, 2, 0.1}}, silent).count, 0u);
 }
 
 // Bounds of sections add up to the bound, and their gaps to its gap.

@@ -16,7 +16,7 @@ namespace {
 const Machine machine{{{"x", 1800, 16000, 400000}, {"y", 900, 4000, 400000}}, 0.001};
 
 ContourPlan plan(const char* program, PlanningMethod method = PlanningMethod::time_optimal, double blend = 0) {
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.method = method;
   if (blend > 0) planning.corner_mode = CornerMode::blend, planning.blend_tolerance = blend;

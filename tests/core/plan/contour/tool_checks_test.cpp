@@ -58,8 +58,8 @@ class ToolChecks : public ::testing::Test {
   }
   /// Returns the names of the checks that fail.
   std::vector<std::string> failed(const SetpointSource& rows) const {
-    SilentProgress silent;
-    ProgressScope progress(silent, "test", 0, 1);
+    Progress silent;
+    ProgressScope progress(silent, "test");
     std::vector<std::string> names;
     for (const Check& check :
          check_rows(rows, tool_row_check({plan_.path->path, 0, 2, *machine_, rows, {degrees, 1}}), progress))

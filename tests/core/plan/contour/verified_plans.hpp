@@ -18,7 +18,7 @@ inline Machine axes_alike(double jerk, std::size_t axes = 2) {
 
 inline ContourPlan verified_plan(const Contour& contour, const Machine& machine, PlanningMethod method,
                                  double tolerance) {
-  SilentProgress progress;
+  Progress progress;
   ContourPlanning planning;
   planning.method = method;
   if (tolerance > 0) planning.corner_mode = CornerMode::blend, planning.blend_tolerance = tolerance;

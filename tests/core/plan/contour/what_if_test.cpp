@@ -36,7 +36,7 @@ ContourPlanning planning(PlanningMethod method, double tolerance) {
 }
 
 ContourPlan plan(const Machine& m, const ContourPlanning& p) {
-  SilentProgress progress;
+  Progress progress;
   return plan_contour(part(), m, p, progress);
 }
 
@@ -85,7 +85,7 @@ TEST(WhatIf, UnplannableLimitsHaveNoDuration) {
 }
 
 /// Stops as soon as it is asked what if.
-class Stopping final : public Progress {
+class Stopping final : public ProgressSink {
  public:
   void report(std::string_view stage, double fraction, std::string_view) override {
     EXPECT_GE(fraction, last_);

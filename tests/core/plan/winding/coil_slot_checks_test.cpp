@@ -13,7 +13,7 @@ namespace bahnwerk {
 namespace {
 
 std::string failed(CoilSlotInput input) {
-  SilentProgress progress;
+  Progress progress;
   std::string names;
   for (const Check& check : coil_slot_checks(std::move(input), progress))
     if (!check.passed) names += (names.empty() ? "" : ", ") + check_name(check);

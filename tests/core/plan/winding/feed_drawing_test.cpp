@@ -29,7 +29,7 @@ TEST(FeedDrawing, HasACurvePerAxisAndTheFeedAndItsLimits) {
   r.feed = PlanningMethod::constant;
   for (const bool limited : {false, true}) {
     if (limited) r.chord_tolerance = 0.005;
-    SilentProgress progress;
+    Progress progress;
     const WindingPlan plan = plan_winding(r, progress);
     const std::string svg = feed_drawing(r, plan);
     EXPECT_TRUE(svg.starts_with("<svg")) << svg.substr(0, 40);

@@ -13,7 +13,7 @@ namespace bahnwerk {
 namespace {
 
 std::vector<std::string> refused_place(const WindingRequest& request) {
-  SilentProgress progress;
+  Progress progress;
   WindingPlan plan;
   try {
     lay_coils(request, plan, progress);
@@ -25,7 +25,7 @@ std::vector<std::string> refused_place(const WindingRequest& request) {
 
 TEST(LaidCoils, EveryTurnHasItsPlaceInTheLayout) {
   for (WindingRequest request : {stator_request(2), rotor_request(2)}) {
-    SilentProgress progress;
+    Progress progress;
     WindingPlan plan;
     lay_coils(request, plan, progress);
     EXPECT_EQ(plan.turns.size(), 2u);
@@ -38,7 +38,7 @@ TEST(LaidCoils, EveryTurnHasItsPlaceInTheLayout) {
 TEST(LaidCoils, AsManyTurnsAreLaidAsTheSlotTakes) {
   WindingRequest request = rotor_request(0);
   request.parallel = 2;
-  SilentProgress progress;
+  Progress progress;
   WindingPlan plan;
   lay_coils(request, plan, progress);
   EXPECT_EQ(plan.turns.size(), plan.layout[0].wires.size() / 2);

@@ -23,7 +23,7 @@ std::vector<BezierPiece> corner() {
 
 TEST(LinkTimer, ALineAloneTakesTheClosedForm) {
   const auto machine = test::horizontal();
-  SilentProgress progress;
+  Progress progress;
   // 40 mm along the spindle, q3: 600 m/s³ and 18 m/s² at most; neither acceleration nor speed is reached.
   const double jerk = 600000, way = 40;
   const std::vector<BezierPiece> line{BezierPiece::line({50, 5, 0, 3, 0}, {50, 5, way, 3, 0})};
@@ -36,7 +36,7 @@ TEST(LinkTimer, ALineAloneTakesTheClosedForm) {
 
 TEST(LinkTimer, CoarseIsCloseToExactAndFollowsTheLimits) {
   const auto machine = test::horizontal();
-  SilentProgress progress;
+  Progress progress;
   const LinkTimer timer(*machine, {}, 0.002, progress);
   const double exact = timer.exact(corner());
   EXPECT_NEAR(timer(corner()), exact, 0.01 * exact);
@@ -49,13 +49,13 @@ TEST(LinkTimer, CoarseIsCloseToExactAndFollowsTheLimits) {
 
 TEST(LinkTimer, OutOfReachIsInfinite) {
   const auto machine = test::robot(RobotArm::righty);
-  SilentProgress progress;
+  Progress progress;
   std::vector<BezierPiece> far{BezierPiece::line({5000, 5, 0, 3, 0}, {5000, 5, 40, 3, 0})};
   EXPECT_EQ(LinkTimer(*machine, {}, 0.002, progress)(far), unlimited);
 }
 
 /// Ends at the first report.
-struct Stopping final : Progress {
+struct Stopping final : ProgressSink {
   void report(std::string_view, double, std::string_view) override { throw Stopped(StopReason::cancelled); }
 };
 

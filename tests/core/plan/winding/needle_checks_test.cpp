@@ -55,7 +55,7 @@ TEST(NeedleChecks, SeeWhatIsWrong) {
 
 TEST(NeedleChecks, MissingColumnsFail) {
   const Wound wound;
-  SilentProgress progress;
+  Progress progress;
   const std::vector<Check> checks =
       needle_checks({*wound.machine.axes, *wound.machine.kinematics, *wound.rows, {1, 1, 1}}, progress);
   EXPECT_EQ(failed(checks), "forward kinematics position");

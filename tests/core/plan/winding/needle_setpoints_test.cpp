@@ -25,8 +25,8 @@ std::vector<double> all_rows(const SetpointSource& source) {
 
 TEST(NeedleSetpoints, SteppedRowsAreTheSameInEverySliceAndOffTheLawByTheirLag) {
   const Wound wound;
-  SilentProgress progress;
-  ProgressScope stage_progress(progress, "interpolate", 0, 1);
+  Progress progress;
+  ProgressScope stage_progress(progress, "interpolate");
   const std::size_t cycles = wound.rows->count() - 1;
   for (const Interpolator interpolator : {Interpolator::taylor1, Interpolator::taylor2, Interpolator::quartic}) {
     const auto stepped =

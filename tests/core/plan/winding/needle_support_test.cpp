@@ -22,7 +22,7 @@ std::vector<std::optional<double>> tried(double degrees) {
 }
 
 std::vector<winding::FixedPiece> supported(const WindingRequest& request, std::optional<double> swivel) {
-  SilentProgress progress;
+  Progress progress;
   WindingPlan plan;
   lay_coils(request, plan, progress);
   winding::NeedleModel model = request.model;

@@ -15,7 +15,7 @@ WindingRequest stator(double width) {
 }
 
 TEST(SlotAccess, AnswersWithAndWithoutPivotShift) {
-  SilentProgress progress;
+  Progress progress;
   WindingRequest r = stator(2.6);
   const auto alone = slot_access(r, progress);
   ASSERT_TRUE(alone);
@@ -33,7 +33,7 @@ TEST(SlotAccess, AnswersWithAndWithoutPivotShift) {
 }
 
 TEST(SlotAccess, ARotorHasNone) {
-  SilentProgress progress;
+  Progress progress;
   WindingRequest r;
   r.part = winding::RotorPart{};
   EXPECT_FALSE(slot_access(r, progress));

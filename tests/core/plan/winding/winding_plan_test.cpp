@@ -50,7 +50,7 @@ TEST(WindingPlan, EveryMachineWindsBothPartsWithEveryFeed) {
 }
 
 /// What part of the job is done when the planner of the feed sets out, and whether it fell on the way there.
-struct BeforeTheFeed final : Progress {
+struct BeforeTheFeed final : ProgressSink {
   double most = 0, fallen = 0;
   bool planning = false;
   std::set<std::string> stages;

@@ -10,7 +10,7 @@
 namespace bahnwerk {
 
 inline WindingPlan planned(const WindingRequest& request) {
-  SilentProgress progress;
+  Progress progress;
   return plan_winding(request, progress);
 }
 

@@ -30,8 +30,8 @@ struct Wound {
     const PathTask task{*machine.axes, limits, std::vector<double>(needle.tool.size(), unlimited), rests};
     NaturalOptions options;
     for (std::size_t i = 0; i < needle.tool.size(); ++i) options.shares.push_back(i % 2 == 1 ? 1 : 0);
-    SilentProgress progress;
-    TimeLaw law = plan_natural(task, options, progress, 0, 1);
+    Progress progress;
+    TimeLaw law = plan_natural(task, options, progress);
     const Cycles cycles = whole_cycles(law.duration(), limits.cycle_time);
     law.slow(cycles.factor);
     motion = std::make_shared<const PathMotion>(machine.axes, std::move(law));
@@ -40,11 +40,11 @@ struct Wound {
         WireForces{[](std::size_t, double, const LawState&) { return 25.0; }, [](double, double) { return 26.0; }});
   }
   std::vector<Check> needle_checks_of(const SetpointSource& source) const {
-    SilentProgress progress;
+    Progress progress;
     return needle_checks({*machine.axes, *machine.kinematics, source, NeedleSetpoints::shown(limits)}, progress);
   }
   std::vector<Check> setpoint_checks_of(const SetpointSource& source, double lag = 0) const {
-    SilentProgress progress;
+    Progress progress;
     SetpointInput input{*machine.axes, limits, motion->law(), source};
     input.shown = NeedleSetpoints::shown(limits);
     input.lag = lag;

@@ -18,17 +18,17 @@ using namespace probe_cases;
 using testing::cases;
 
 ProbeMotion stops(const ProbeProblem& problem) {
-  SilentProgress silent;
+  Progress silent;
   return plan_stops(problem, silent);
 }
 ProbeMotion optimal(const ProbeProblem& problem) {
-  SilentProgress silent;
+  Progress silent;
   const ProbeMotion plan = plan_optimal(problem, silent);
   expect_right(problem, plan);
   return plan;
 }
 double bound(const ProbeProblem& problem) {
-  SilentProgress silent;
+  Progress silent;
   return probe_bound(problem, silent).value;
 }
 
@@ -249,7 +249,7 @@ TEST(Optimal, RippleIsLessWithinTheStretchedTime) {
 }
 
 TEST(Optimal, ItEndsWhenProgressSaysSo) {
-  struct Stop final : Progress {
+  struct Stop final : ProgressSink {
     void report(std::string_view, double, std::string_view) override {
       if (++calls > 5) throw Stopped(StopReason::cancelled);
     }

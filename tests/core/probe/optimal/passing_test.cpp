@@ -10,7 +10,7 @@ using namespace probe_cases;
 
 /// The straight from the first point to the last one.
 ProbeMotion straight(const ProbeProblem& p) {
-  SilentProgress silent;
+  Progress silent;
   ProbeProblem ends = p;
   ends.given = {p.given.front(), p.given.back()};
   merge_points(ends);

@@ -61,7 +61,7 @@ ProbeProblem noisy(std::vector<Vec> points, double point_tolerance) {
 }
 
 TEST(Rows, PointsWithinPointToleranceOfAStraightArePassedByIt) {
-  SilentProgress silent;
+  Progress silent;
   for (const std::size_t n : {5u, 51u, 400u}) {
     const ProbeProblem p = noisy(noisy_row(n, 0.00395, n), 0.004);
     for (const ProbeMotion& plan : {plan_arcs(p, silent), plan_spline(p, silent)}) {
@@ -76,7 +76,7 @@ TEST(Rows, PointsThatAreOneLeaveLessOfTheTolerance) {
   // one, within the tolerance, and 4.2 µm from the third.
   const ProbeProblem p = noisy({{0, 0}, {5, 0.0033}, {5, 0.0042}, {10, 0}}, 0.004);
   ASSERT_EQ(p.points.size(), 3u);
-  SilentProgress silent;
+  Progress silent;
   for (const ProbeMotion& plan : {plan_arcs(p, silent), plan_spline(p, silent)}) probe_cases::expect_right(p, plan);
 }
 

@@ -12,9 +12,9 @@ namespace bahnwerk {
 namespace {
 
 TEST(CoarseAlone, AStraightMoveIsThatOfTheCoarseAxis) {
-  SilentProgress progress;
+  Progress progress;
   const RedundancyTask task = test::redundancy_task(test::straight(450, 0), test::md2());
-  const RedundancyResult r = plan_coarse_alone(task, {}, progress, 0);
+  const RedundancyResult r = plan_coarse_alone(task, {}, progress);
   EXPECT_NEAR(r.head->duration(), 450.0 / 1800 + 1800.0 / 16000, 1e-8);
   EXPECT_LE(test::split_excess(task, r).limits, 0);
 }
@@ -25,8 +25,8 @@ TEST(CoarseAlone, TheCoarseAxesDoWhatTheHeadDoesWithinTheirLimits) {
     CoarseFineMachine machine = test::md1();
     if (per_second > 0) machine = test::with_jerk(machine, per_second);
     const RedundancyTask task = test::redundancy_task(test::slot(60, 8, 200), machine);
-    SilentProgress progress;
-    const RedundancyResult r = plan_coarse_alone(task, {}, progress, 0);
+    Progress progress;
+    const RedundancyResult r = plan_coarse_alone(task, {}, progress);
     EXPECT_EQ(r.coarse_jerk_limited, per_second > 0);
     ASSERT_DOUBLE_EQ(r.head->duration(), r.coarse->duration());
     for (int i = 0; i <= 400; ++i) {

@@ -15,7 +15,7 @@ namespace {
 
 PathMotion head_of(Contour contour, const Machine& machine) {
   const auto kept = std::make_shared<const Contour>(std::move(contour));
-  SilentProgress progress;
+  Progress progress;
   return {contour_axes(kept, 2), plan_acceleration_limited(*kept, machine, {}, progress).law};
 }
 
@@ -75,7 +75,7 @@ TEST(HeadCells, BreakWhereTheHeadSwitchesFromDrivingToBraking) {
 TEST(HeadCells, WithLimitedJerkBreakWhereTheAccelerationJumps) {
   const Machine machine = summed(test::with_jerk(test::md2(), 100));
   const auto kept = std::make_shared<const Contour>(test::slot(3, 2, 300));
-  SilentProgress progress;
+  Progress progress;
   const PathMotion head(contour_axes(kept, 2), plan_jerk_limited(*kept, machine, {}, progress).law);
   HeadCellOptions options = options_of(machine);
   for (std::size_t k = 0; k < 2; ++k) {

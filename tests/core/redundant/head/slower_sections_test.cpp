@@ -23,7 +23,7 @@ TEST(SlowerSections, FeedsFallUntilTheCoarseAxisCanFollow) {
   const JointTask task = test::joint_task(b.finish(), test::md2());
   const CoarseFineAxis& axis = task.machine.axes[0];
   const Machine machine = head_limits(task.machine);
-  SilentProgress progress;
+  Progress progress;
   SectionLimits section_limits{task.feeds, {}};
   double duration = 0;
   for (int round = 0; round < 40; ++round) {

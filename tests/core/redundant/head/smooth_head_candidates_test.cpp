@@ -26,7 +26,7 @@ double largest_acceleration(const PathMotion& head, std::size_t axis) {
 TEST(SmoothHeadCandidates, TakeNoLongerThanAllowedAndAskLessThanTheFineAxesCanDo) {
   const CoarseFineMachine machine = test::md2();
   const JointTask task = test::joint_task(test::holes(4, 3, 30, 6), machine);
-  SilentProgress progress;
+  Progress progress;
   HeadPlan<2> plan(task, corner_angle, 1, progress);
   SmoothHeadCandidates<2> heads(plan, 1);
   const double fastest = plan.motion()->duration(), longest = 2 * fastest;

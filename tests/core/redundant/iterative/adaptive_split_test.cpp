@@ -19,7 +19,7 @@ using test::expect_valid_split, test::plan_by_iterations;
 /// What is exceeded by a little slows the whole motion by as little, and is valid as it is.
 TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
   Random random(5);
-  SilentProgress progress;
+  Progress progress;
   IterativeOptions never_slowed;
   never_slowed.most_slowing = 0;
   int fewer = 0;
@@ -27,7 +27,7 @@ TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
     SCOPED_TRACE(i);
     const RedundancyTask task = test::redundancy_task(test::random_contour(random, 100), test::md2());
     const RedundancyResult slowed = plan_by_iterations(task, {}),
-                           exact = test::found(plan_iterative(task, {}, never_slowed, progress, 0, 1));
+                           exact = test::found(plan_iterative(task, {}, never_slowed, progress));
     expect_valid_split(task, slowed);
     ASSERT_LE(slowed.iterations, exact.iterations);
     if (slowed.iterations == exact.iterations) continue;
@@ -49,10 +49,10 @@ TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
 
 /// Returns the duration of the quicker one of the plans forwards and from the end to the begin.
 double in_either_direction(const RedundancyTask& task, const RedundancyOptions& o, const IterativeOptions& constants) {
-  SilentProgress progress;
+  Progress progress;
   const RedundancyTask back = reversed(task).value();
-  return std::min(test::found(plan_iterative(task, o, constants, progress, 0, 1)).head->duration(),
-                  test::found(plan_iterative(back, o, constants, progress, 0, 1)).head->duration());
+  return std::min(test::found(plan_iterative(task, o, constants, progress)).head->duration(),
+                  test::found(plan_iterative(back, o, constants, progress)).head->duration());
 }
 
 /// With knots anew in each pass and no grading other blocks exceed limits in each.
@@ -76,7 +76,7 @@ TEST(Iterative, KeptKnotsEndShorterThanKnotsAnew) {
 /// With a second phase, and with other approximations, knots are always anew.
 TEST(Iterative, OnlyLeastSquaresAloneKeepsKnots) {
   Random random(4);
-  SilentProgress progress;
+  Progress progress;
   IterativeOptions other;
   other.iterations_with_new_knots = 1;
   other.grading = 2;
@@ -88,8 +88,7 @@ TEST(Iterative, OnlyLeastSquaresAloneKeepsKnots) {
         {CoarseApproximation::chebyshev, CoarseSmoothing::none}}) {
     o.approximation = approximation;
     o.smoothing = smoothing;
-    const RedundancyResult a = plan_by_iterations(task, o),
-                           b = test::found(plan_iterative(task, o, other, progress, 0, 1));
+    const RedundancyResult a = plan_by_iterations(task, o), b = test::found(plan_iterative(task, o, other, progress));
     EXPECT_EQ(a.head->duration(), b.head->duration());
     EXPECT_EQ(a.iterations, b.iterations);
   }

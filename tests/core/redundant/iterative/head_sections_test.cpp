@@ -14,11 +14,11 @@ class HeadSectionsTest : public ::testing::Test {
   RedundancyTask task_ = test::redundancy_task(test::small_contours(2, 2), test::md2());
   RedundancyOptions options_;
   Machine machine_ = summed(task_.machine);
-  SilentProgress progress_;
+  Progress progress_;
 };
 
 TEST_F(HeadSectionsTest, TogetherAreTheWholeLaw) {
-  const HeadSections s(task_, options_, machine_, task_.feeds, progress_, 0, 1);
+  const HeadSections s(task_, options_, machine_, task_.feeds, progress_);
   EXPECT_EQ(s.begin(0), 0u);
   EXPECT_EQ(s.begin(s.size()), task_.path->size());
   double sum = 0;
@@ -31,7 +31,7 @@ TEST_F(HeadSectionsTest, TogetherAreTheWholeLaw) {
 }
 
 TEST_F(HeadSectionsTest, PlanningOneAgainLeavesTheOthersAlone) {
-  HeadSections s(task_, options_, machine_, task_.feeds, progress_, 0, 1);
+  HeadSections s(task_, options_, machine_, task_.feeds, progress_);
   std::vector<double> before;
   for (std::size_t i = 0; i < s.size(); ++i) before.push_back(s.law(i, i + 1).duration());
   const std::size_t one = s.size() / 2;
@@ -55,9 +55,9 @@ TEST_F(HeadSectionsTest, PlanningOneAgainLeavesTheOthersAlone) {
 
 TEST_F(HeadSectionsTest, HasSomePiecesPerCycleOnly) {
   task_.machine.cycle_time = 1e-5;  // so short that cells are as usual
-  const TimeLaw fine = HeadSections(task_, options_, machine_, task_.feeds, progress_, 0, 1).law(1, 2);
+  const TimeLaw fine = HeadSections(task_, options_, machine_, task_.feeds, progress_).law(1, 2);
   task_.machine.cycle_time = 1e-2;
-  HeadSections s(task_, options_, machine_, task_.feeds, progress_, 0, 1);
+  HeadSections s(task_, options_, machine_, task_.feeds, progress_);
   const TimeLaw wide = s.law(1, 2);
   EXPECT_LT(2 * wide.pieces().size(), fine.pieces().size());
   EXPECT_NEAR(wide.duration(), fine.duration(), 1e-4 * fine.duration());
@@ -73,10 +73,10 @@ TEST(HeadSections, DwellsAreWhereTheyWere) {
   b.line({10, 10, 0});
   b.dwell(0.5);
   const RedundancyTask task = test::redundancy_task(b.finish(), test::md2());
-  SilentProgress progress;
+  Progress progress;
   const RedundancyOptions options;
   const Machine machine = summed(task.machine);
-  const HeadSections s(task, options, machine, task.feeds, progress, 0, 1);
+  const HeadSections s(task, options, machine, task.feeds, progress);
   ASSERT_EQ(s.size(), 2u);
   const double first = s.law(0, 1).duration(), second = s.law(1, 2).duration();
   EXPECT_NEAR(second - first, 0.75, 1e-9);

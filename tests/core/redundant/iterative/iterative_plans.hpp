@@ -10,8 +10,8 @@
 namespace bahnwerk::test {
 
 inline RedundancyResult plan_by_iterations(const RedundancyTask& task, const RedundancyOptions& options) {
-  SilentProgress progress;
-  return found(plan_iterative(task, options, progress, 0, 1));
+  Progress progress;
+  return found(plan_iterative(task, options, progress));
 }
 
 inline void expect_valid_split(const RedundancyTask& task, const RedundancyResult& r) {

@@ -62,8 +62,8 @@ TEST(Iterative, RandomContoursEndValidWithEveryMethod) {
           o.smoothing = smoothing.value;
           o.window.reset();
           if (windows) o.window = RedundancyOptions::Window{6, 2};
-          SilentProgress progress;
-          const Expected<RedundancyResult, NoPlan> r = plan_iterative(task, o, progress, 0, 1);
+          Progress progress;
+          const Expected<RedundancyResult, NoPlan> r = plan_iterative(task, o, progress);
           ++all;
           if (!r) continue;
           ++own;
@@ -94,8 +94,8 @@ TEST(Iterative, HasNoPlanAfterNoIteration) {
   const RedundancyTask task = test::redundancy_task(test::slot(1, 0.5, 500), test::md2());
   IterativeOptions none;
   none.max_iterations = 0;
-  SilentProgress progress;
-  const Expected<RedundancyResult, NoPlan> r = plan_iterative(task, {}, none, progress, 0, 1);
+  Progress progress;
+  const Expected<RedundancyResult, NoPlan> r = plan_iterative(task, {}, none, progress);
   ASSERT_FALSE(r);
   EXPECT_EQ(r.reason(), NoPlan::no_split);
 }
@@ -191,14 +191,14 @@ TEST(Iterative, RefusesWhatMakesNoSense) {
 }
 
 TEST(Iterative, StopsWhenToldTo) {
-  struct Stop final : Progress {
+  struct Stop final : ProgressSink {
     void report(std::string_view, double, std::string_view) override {
       if (++calls == 40) throw Stopped(StopReason::cancelled);
     }
     int calls = 0;
   } stop;
   const RedundancyTask task = test::redundancy_task(test::small_contours(), test::md2());
-  EXPECT_THROW(plan_iterative(task, {}, stop, 0, 1), Stopped);
+  EXPECT_THROW(plan_iterative(task, {}, stop), Stopped);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 TEST(SplitPeaks, BoundWhatDenseSamplesShow) {
   const JointTask task = test::joint_task(test::holes(2, 1, 15, 4), test::md2());
   const Machine machine = summed(task.machine);
-  SilentProgress progress;
+  Progress progress;
   const PathMotion head(
       task.path, plan_acceleration_limited(PathTask{*task.path, machine, task.feeds, task.rests}, {}, progress).law);
   const double T = head.duration();
@@ -30,7 +30,7 @@ TEST(SplitPeaks, BoundWhatDenseSamplesShow) {
     o.jerk_change.push_back(unlimited);
     o.jerk_range.push_back(unlimited);
   }
-  ProgressScope scope(progress, "test", 0, 1);
+  ProgressScope scope(progress, "test");
   const HeadCells cells = head_cells(head, o, scope);
   const std::size_t n = task.path->size();
   HeadSamples samples;

@@ -19,9 +19,9 @@ TEST(Joint, RandomContoursAreSmootherThanByTheIterativeMethodAtItsDuration) {
   for (int i = 0; i < 8; ++i) {
     const CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
     const Contour contour = i < 2 ? test::holes(3, 3, 12, 2) : test::random_contour(random, i < 6 ? 40 : 90);
-    SilentProgress progress;
+    Progress progress;
     const Expected<RedundancyResult, NoPlan> found =
-        plan_iterative(test::redundancy_task(contour, machine), {}, progress, 0, 1);
+        plan_iterative(test::redundancy_task(contour, machine), {}, progress);
     if (!found) continue;
     const RedundancyResult& iterative = *found;
     const JointTask task = test::joint_task(contour, machine);

@@ -32,7 +32,7 @@ TEST(Joint, OneHoleInsideTheStrokeHardlyMovesTheCoarseAxes) {
 TEST(Joint, HasNoPlanForStrokesOfAMicrometre) {
   CoarseFineMachine machine = test::md2();
   for (CoarseFineAxis& axis : machine.axes) axis.stroke = 0.001;
-  SilentProgress progress;
+  Progress progress;
   const Expected<JointResult, NoPlan> r = plan_joint(test::joint_task(test::holes(2, 2, 40, 3), machine), {}, progress);
   ASSERT_FALSE(r);
   EXPECT_EQ(r.reason(), NoPlan::no_fine_axis);
@@ -117,7 +117,7 @@ TEST(Joint, JerkOfSomeAxesOnlyIsRefused) {
 }
 
 TEST(Joint, StopsWhenToldTo) {
-  struct Stop final : Progress {
+  struct Stop final : ProgressSink {
     void report(std::string_view, double, std::string_view) override {
       if (++calls == 20) throw Stopped(StopReason::cancelled);
     }

@@ -30,7 +30,7 @@ TEST(KnownMethods, GeometricallySplitAllAxesStopAtCorners) {
 
 TEST(KnownMethods, TheCoarseCurveStaysWithinTheStroke) {
   const RedundancyTask task = test::redundancy_task(test::holes(4, 4, 80, 30), test::md2());
-  SilentProgress progress;
+  Progress progress;
   const auto curve = coarse_curve(*task.path, task.machine, progress);
   EXPECT_GE(curve->pitch(), 0.98 * 20);
   for (double s = 0; s < task.path->length(); s += 0.1) {

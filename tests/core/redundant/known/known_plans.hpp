@@ -15,8 +15,8 @@ inline constexpr RedundancyMethod known_methods[] = {RedundancyMethod::geometric
 
 inline RedundancyResult plan(const RedundancyTask& task, RedundancyMethod method,
                              const RedundancyOptions& options = {}) {
-  SilentProgress progress;
-  return found(redundancy_row(method).plan(task, options, progress, 0, 1));
+  Progress progress;
+  return found(redundancy_row(method).plan(task, options, progress));
 }
 
 inline void expect_valid(const RedundancyTask& task, const RedundancyResult& r) {

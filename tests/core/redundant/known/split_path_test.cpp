@@ -15,7 +15,7 @@ namespace {
 /// Whatever the batch held before: of an odd count the last pair is half empty.
 TEST(SplitPath, ABatchHasTheRowsOfItsPointsOneByOne) {
   const RedundancyTask task = test::redundancy_task(test::framed(2, {}), test::md2());
-  SilentProgress progress;
+  Progress progress;
   const SplitPath path(task.path, coarse_curve(*task.path, task.machine, progress));
   for (std::size_t segment = 0; segment < path.size(); ++segment) {
     const double begin = path[segment].curve().begin(), end = path[segment].curve().end();

@@ -45,13 +45,13 @@ TEST(PlanChoice, TheCheckThatFailedByMostIsTold) {
 /// that was asked for all the same, and both durations are told.
 TEST(PlanChoice, AMethodThatIsAskedForKeepsItsOwnPlan) {
   const RedundancyTask task = test::redundancy_task(test::framed(2, {}), test::md2());
-  SilentProgress progress;
+  Progress progress;
   RedundancyOptions options;
-  const double alone = plan_coarse_alone(task, options, progress, 0).head->duration();
+  const double alone = plan_coarse_alone(task, options, progress).head->duration();
   for (const auto& method : redundancy_methods) {
     SCOPED_TRACE(method.name);
     options.method = method.value;
-    PlanChoice choice(task, options, progress, 0, 1);
+    PlanChoice choice(task, options, progress);
     ASSERT_TRUE(choice.next());
     const double duration = choice.plan().head->duration();
     EXPECT_EQ(duration, test::plan(task, method.value, options).head->duration());
@@ -64,13 +64,13 @@ TEST(PlanChoice, AMethodThatIsAskedForKeepsItsOwnPlan) {
 
 /// The gantry takes longer than a split of which every other section is slowed, and less than one with little stroke.
 TEST(PlanChoice, TheJointPlannerIsNeverSlowerThanTheCoarseAxesAlone) {
-  SilentProgress progress;
+  Progress progress;
   for (const double stroke : {0.001, 0.03, 1.0, 20.0}) {
     SCOPED_TRACE(stroke);
     CoarseFineMachine machine = test::md2();
     for (CoarseFineAxis& axis : machine.axes) axis.stroke = stroke;
     const RedundancyTask task = test::redundancy_task(test::holes(2, 2, 300, 3), machine);
-    const double alone = plan_coarse_alone(task, {}, progress, 0).head->duration();
+    const double alone = plan_coarse_alone(task, {}, progress).head->duration();
     const RedundancyResult r = test::chosen(task, {});
     EXPECT_LE(r.head->duration(), alone * (1 + 1e-9));
     test::expect_valid(task, r);
@@ -79,7 +79,7 @@ TEST(PlanChoice, TheJointPlannerIsNeverSlowerThanTheCoarseAxesAlone) {
 
 TEST(PlanChoice, OnRandomMachinesTheJointPlannerIsNeverSlowerThanTheCoarseAxesAlone) {
   Random random(14);
-  SilentProgress progress;
+  Progress progress;
   for (int i = 0; i < 4; ++i) {
     SCOPED_TRACE(i);
     const Contour contour = test::random_contour(random, 800);
@@ -88,7 +88,7 @@ TEST(PlanChoice, OnRandomMachinesTheJointPlannerIsNeverSlowerThanTheCoarseAxesAl
     options.compare = false;
     const RedundancyResult r = test::chosen(task, options);
     test::expect_valid(task, r);
-    EXPECT_LE(r.head->duration(), plan_coarse_alone(task, options, progress, 0).head->duration() * (1 + 1e-9));
+    EXPECT_LE(r.head->duration(), plan_coarse_alone(task, options, progress).head->duration() * (1 + 1e-9));
   }
 }
 
@@ -113,11 +113,11 @@ TEST(PlanChoice, TheCoarseAxesAloneAreStretchedForSmoothness) {
 TEST(PlanChoice, APlanThatFailsVerificationGivesWayInTheOrderOfTheList) {
   RedundancyTask task = test::redundancy_task(test::framed(2, {}), test::md2());
   task.bound = 1e-3;  // s, that nothing attains: both directions are planned
-  SilentProgress progress;
+  Progress progress;
   RedundancyOptions options;
   options.method = RedundancyMethod::filter;
   options.reparametrise = true;
-  PlanChoice choice(task, options, progress, 0, 1);
+  PlanChoice choice(task, options, progress);
   std::vector<double> durations;
   while (choice.next()) {
     durations.push_back(choice.plan().head->duration());
@@ -149,8 +149,8 @@ TEST(PlanChoice, AMethodWithoutAMotionGivesWayToTheJointPlanner) {
   options.method = RedundancyMethod::filter;
   options.taps = 301;
   options.cutoff = 0.1;
-  SilentProgress progress;
-  PlanChoice choice(test::redundancy_task(test::straight(600, 200), machine), options, progress, 0, 1);
+  Progress progress;
+  PlanChoice choice(test::redundancy_task(test::straight(600, 200), machine), options, progress);
   ASSERT_TRUE(choice.next());
   const double duration = choice.plan().head->duration();
   const std::vector<GaveWay> rows = choice.gave_way(duration);
@@ -168,8 +168,8 @@ TEST(PlanChoice, WhatHasNoPlanIsRefusedAtTheRange) {
   machine.axes[0] = coarse_alone(machine.axes[0]);
   machine.axes[0].coarse.lowest = 0, machine.axes[0].coarse.highest = 100;
   for (CoarseFineAxis& axis : machine.axes) axis = coarse_alone(axis);
-  SilentProgress progress;
-  PlanChoice choice(test::redundancy_task(test::straight(600, 200), machine), {}, progress, 0, 1);
+  Progress progress;
+  PlanChoice choice(test::redundancy_task(test::straight(600, 200), machine), {}, progress);
   ASSERT_FALSE(choice.next());
   try {
     choice.refuse();

@@ -16,7 +16,7 @@ TEST(Redundancy, EveryMethodHasARow) {
 TEST(Redundancy, JointIsThePlannerOfThatName) {
   const auto contour = std::make_shared<const Contour>(test::holes(3, 2, 12, 2));
   const JointTask joint = test::joint_task(*contour, test::md2());
-  SilentProgress progress;
+  Progress progress;
   JointOptions options;
   options.smoothness = 0.5;
   options.compare = true;
@@ -25,7 +25,7 @@ TEST(Redundancy, JointIsThePlannerOfThatName) {
   RedundancyOptions given;
   given.smoothness = 0.5;
   const RedundancyTask task{joint.path, contour, joint.machine, joint.feeds, joint.rests, joint.dwells};
-  const RedundancyResult found = test::found(redundancy_row(RedundancyMethod::joint).plan(task, given, progress, 0, 1));
+  const RedundancyResult found = test::found(redundancy_row(RedundancyMethod::joint).plan(task, given, progress));
   EXPECT_EQ(found.head->duration(), expected.chosen.duration);
   EXPECT_EQ(found.fastest, expected.fastest);
   ASSERT_EQ(found.trades.size(), expected.trades.size());

@@ -24,12 +24,12 @@ using reference::Maker;
 constexpr double corner_angle = 2e-3;
 
 double bound(const AxisPath& path, const Contour& contour, const Machine& machine) {
-  SilentProgress silent;
+  Progress silent;
   return lower_bound(contour_task(path, contour, machine), corner_angle, silent).value;
 }
 
 double planned(const AxisPath& path, const Contour& contour, const Machine& machine) {
-  SilentProgress silent;
+  Progress silent;
   AccelerationLimitedOptions options;
   options.corner_angle = corner_angle;
   return plan_acceleration_limited(contour_task(path, contour, machine), options, silent).law.duration();
@@ -167,7 +167,7 @@ Bound of_turns(int turns) {
   const KinematicAxisPath path(needle.tool, *winder, needle.orientation);
   PathTask task{path, machine, std::vector<double>(path.size(), unlimited), std::vector<bool>(path.size() + 1, false)};
   task.rests.front() = task.rests.back() = true;
-  SilentProgress silent;
+  Progress silent;
   return lower_bound(task, corner_angle, silent);
 }
 

@@ -19,11 +19,11 @@ using reference::Maker;
 template <int N = 2>
 struct Grid {
   explicit Grid(const Contour& contour, const Machine& m = machine(N, 500, 16000), double corner_angle = 2e-3)
-      : path(contour.path, N), progress(silent, "bound", 0, 1), grid(path, m, contour.feeds(), corner_angle, progress) {
+      : path(contour.path, N), progress(silent, "bound"), grid(path, m, contour.feeds(), corner_angle, progress) {
     grid.build(0, contour.path.size());
   }
   CartesianAxisPath path;
-  SilentProgress silent;
+  Progress silent;
   ProgressScope progress;
   BoundGrid<N> grid;
 };
@@ -130,8 +130,8 @@ TEST(BoundGrid, RememberedEnclosuresHoldInPartsOfTheCell) {
   const test::FiveAxes kinematics;
   const Contour contour = Maker().bezier({{30, 40}, {60, -40}, {80, 20}}).done();
   const KinematicAxisPath path(contour.path, kinematics);
-  SilentProgress silent;
-  ProgressScope progress(silent, "bound", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "bound");
   BoundGrid<5> grid(path, {kinematics.axes(), 0.001}, contour.feeds(), 2e-3, progress);
   grid.build(0, path.size());
   std::size_t looked = 0;

@@ -19,8 +19,8 @@ using reference::Maker;
 /// Refines at random, and what mark_switching() says.
 template <int N>
 void expect_the_same(const AxisPath& path, const Machine& m, const std::vector<double>& feeds, unsigned seed) {
-  SilentProgress silent;
-  ProgressScope progress(silent, "bound", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "bound");
   BoundGrid<N> grid(path, m, feeds, 2e-3, progress);
   BoundSolver<N> solver(grid, progress);
   grid.build(0, path.size());
@@ -82,8 +82,8 @@ TEST(BoundSolver, ValleysOfTheCapsAreMarkedWhereTheMotionComesNearThem) {
                            .done();
   std::size_t nodes[2];
   for (const bool fast : {false, true}) {
-    SilentProgress silent;
-    ProgressScope progress(silent, "bound", 0, 1);
+    Progress silent;
+    ProgressScope progress(silent, "bound");
     const CartesianAxisPath path(wave.path, 2);
     BoundGrid<2> grid(path, machine(2, fast ? unlimited : 10, 16000), wave.feeds(), 2e-3, progress);
     BoundSolver<2> solver(grid, progress);

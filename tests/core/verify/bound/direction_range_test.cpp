@@ -37,8 +37,8 @@ TEST(Between, HoldsRandomCubicsAndIsExactWhereTheyAreMonotone) {
 
 template <int N>
 void expect_enclosed(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds) {
-  SilentProgress silent;
-  ProgressScope progress(silent, "bound", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "bound");
   BoundGrid<N> grid(path, machine, feeds, 2e-3, progress);
   grid.build(0, path.size());
   for (int round = 0; round < 2; ++round) {

@@ -28,12 +28,12 @@ Machine machine(double jerk, std::size_t axes = 2) {
 }
 
 double bound(const Contour& contour, const Machine& m, double corner = corner_angle) {
-  SilentProgress silent;
+  Progress silent;
   return lower_bound(contour, m, corner, silent).value;
 }
 
 double planned(const Contour& contour, const Machine& m) {
-  SilentProgress silent;
+  Progress silent;
   JerkLimitedOptions options;
   options.corner_angle = corner_angle;
   return plan_jerk_limited(contour, m, options, silent).law.duration();
@@ -204,8 +204,8 @@ TEST(JerkBound, ResolvesChangesOfSpeedThatJerkAloneLimits) {
 TEST(JerkBound, LosesNothingToRoundingOnVeryShortCells) {
   const Contour contour = Maker().line({300, 0}).bezier({{300.1, 0}, {300.2, 0}, {300.3, 0.2}, {300.3, 0.3}}).done();
   const Machine m = machine(1e6);
-  SilentProgress silent;
-  ProgressScope progress(silent, "bound", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "bound");
   const CartesianAxisPath path(contour.path, 2);
   verify::BoundGrid<2> grid(path, m, contour_task(path, contour, m).feeds, corner_angle, progress);
   verify::BoundSolver<2> solver(grid, progress);
@@ -241,7 +241,7 @@ TEST(JerkBound, LongSectionsAreCutIntoWindowsAndStayBelow) {
 TEST(JerkBound, HoldsForFiveAxes) {
   const test::FiveAxes kinematics;
   const Machine m{kinematics.axes(), 0.001};
-  SilentProgress silent;
+  Progress silent;
   for (const Contour& contour : contours()) {
     const KinematicAxisPath path(contour.path, kinematics);
     const PathTask task = contour_task(path, contour, m);

@@ -72,7 +72,7 @@ constexpr double corner_angle = 0.03;
 
 /// What a motion takes, s.
 double planned(const Contour& contour) {
-  SilentProgress silent;
+  Progress silent;
   JerkLimitedOptions options;
   options.corner_angle = corner_angle;
   return plan_jerk_limited(contour, machine(), options, silent).law.duration();
@@ -86,8 +86,8 @@ TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakes) {
       Maker().line({10, 0}).line({20, 0.1}).line({30, 0}).done(),
       Maker().arc({5, 5}, {0, 5}, true).arc({-1, 11}, {-1, 5}, true).arc({-8, 4}, {-1, 4}, true).done(),
   };
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> part(0, 1.5), sign(-1, 1);
   for (const Contour& contour : contours) {
@@ -126,8 +126,8 @@ TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakes) {
 TEST(JerkDual, IsTheTimeAtTheLargestSpeedWithoutMultipliers) {
   const Contour contour = Maker().line({30, 40}).done();
   const CartesianAxisPath path(contour.path, 2);
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   BoundGrid<2> grid(path, machine(), contour.feeds(), 1e-3, progress);
   grid.build(0, path.size());
   const Laid laid = lay(grid, true);

@@ -22,8 +22,8 @@ TEST(JerkPieces, AdvanceWhereTheParameterDoesNotGrowLikeLength) {
   for (AxisLimits& axis : machine.axes) axis.jerk = 1e6;
   const CartesianAxisPath path(contour.path, 2);
   const PathTask task = contour_task(path, contour, machine);
-  SilentProgress silent;
-  ProgressScope progress(silent, "pieces", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "pieces");
   for (const double wider : {1.0, 8.0}) {
     BoundGrid<2> grid(path, machine, task.feeds, 0.03, progress);
     grid.widen(wider);

@@ -24,7 +24,7 @@ using reference::Maker;
 constexpr double corner_angle = 0.1 * std::numbers::pi / 180;
 
 double bound(const Contour& contour, const Machine& m) {
-  SilentProgress silent;
+  Progress silent;
   return lower_bound(contour, m, corner_angle, silent).value;
 }
 
@@ -131,7 +131,7 @@ TEST(LowerBound, BelowMotionsThatTheJudgeAccepts) {
     stops.push_back({length - ramp, v});
     stops.push_back({length, 0});
     const TimeLaw law = reference::law_through(contour.path, stops);
-    SilentProgress silent;
+    Progress silent;
     Machine m = machine(2, 1e6, 1e12);
     for (int pass = 0; pass < 2; ++pass)  // peaks are resolved in relation to the limits: once more with the right ones
       for (const Check& c : verify_motion({contour, m, law, corner_angle}, silent).checks)
@@ -253,7 +253,7 @@ TEST(LowerBound, ExtremeInputsGiveFiniteBounds) {
         EXPECT_TRUE(std::isfinite(t) && t > 0) << velocity << " " << acceleration;
         EXPECT_GE(t, contour->path.length() / std::sqrt(2) / velocity * (1 - 1e-9));
       }
-  SilentProgress silent;
+  Progress silent;
   EXPECT_EQ(lower_bound(Contour{}, machine(2, 1, 1), corner_angle, silent).value, 0);
 }
 
@@ -282,14 +282,15 @@ TEST(LowerBound, CuspAgainstTheDenseSolution) {
 }
 
 TEST(LowerBound, StopsWhenAsked) {
-  struct Stopping final : Progress {
+  struct Stopping final : ProgressSink {
     void report(std::string_view, double fraction, std::string_view) override {
       EXPECT_GE(fraction, 0.25);
       EXPECT_LE(fraction, 0.75);
       throw Stopped(StopReason::deadline);
     }
   } progress;
-  EXPECT_THROW(lower_bound(reference::circle_between_lines(), machine(2, 1, 1), corner_angle, progress, 0.25, 0.75),
+  EXPECT_THROW(lower_bound(reference::circle_between_lines(), machine(2, 1, 1), corner_angle,
+                           Progress(progress).part(0.25, 0.75)),
                Stopped);
 }
 
@@ -327,7 +328,7 @@ Contour winding(int pieces) {
 TEST(LowerBound, LongPathsAreSolvedInWindowsWithWiderCells) {
   const Machine m = machine(2, 500, 8000);
   const Contour few = winding(4000), many = winding(40'000);
-  SilentProgress silent;
+  Progress silent;
   const double fine = bound(few, m), optimum = plan_acceleration_limited(few, m, {}, silent).law.duration();
   EXPECT_LE(fine, optimum);
   EXPECT_GT(fine, optimum * (1 - 1e-5));

@@ -24,8 +24,8 @@ struct Ways {
 Ways ways(const Contour& contour, double jerk, bool rest_last = true) {
   Machine m = reference::machine(2, 600, 16000);
   for (AxisLimits& axis : m.axes) axis.jerk = jerk;
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   const CartesianAxisPath path(contour.path, 2);
   BoundGrid<2> grid(path, m, contour.feeds(), 0.03, progress);
   grid.build(0, path.size(), true, rest_last);

@@ -19,13 +19,13 @@ const Machine plain{{{"x", 1800, 16000, unlimited}, {"y", 1500, 9000, unlimited}
     smooth{{{"x", 1800, 16000, 1e6}, {"y", 1500, 9000, 5e5}}, 0.001};
 
 double bound(const Contour& contour, const Machine& machine) {
-  SilentProgress silent;
+  Progress silent;
   return lower_bound(contour, machine, corner_angle, silent).value;
 }
 /// Of the curve [0, n) against [n, 2 n).
 double margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t n) {
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   return repeat_margin(path, machine, feeds, 0, n, n, progress);
 }
 double margin(const Contour& contour, const Machine& machine) {

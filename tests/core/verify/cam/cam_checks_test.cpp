@@ -68,7 +68,7 @@ CamToVerify cam(double roller, double base, double shift = 0, double rise = usua
   return out;
 }
 Verification checked(const CamToVerify& cam, double rise = usual) {
-  SilentProgress silent;
+  Progress silent;
   Verification out;
   out.passed = true;
   verify_cam(law(rise), cam, silent, out);

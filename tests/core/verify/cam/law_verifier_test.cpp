@@ -61,7 +61,7 @@ std::set<std::string> failed(const Verification& verdict) {
   return out;
 }
 std::set<std::string> failed(const Plan& plan) {
-  SilentProgress progress;
+  Progress progress;
   const cam::LawTable table(plan.cam_law(), plan.problem, plan.law.cycle_duration, plan.steps);
   return failed(verify_motion_law(plan.problem, plan.law, table, progress));
 }
@@ -159,7 +159,7 @@ TEST(LawVerifier, ClassicalLawsAreHeldAgainstTheirFormulas) {
 TEST(LawVerifier, RowsThatAreNotTheLawFail) {
   const Plan plan;
   const cam::LawTable table(plan.cam_law(), plan.problem, plan.law.cycle_duration, plan.steps);
-  SilentProgress progress;
+  Progress progress;
   static const char* names[] = {"table phi", "table s", "table v", "table a", "table j"};
   for (std::size_t column = 0; column < 5; ++column)
     for (const std::size_t row : {0, 7, 25, 50}) {

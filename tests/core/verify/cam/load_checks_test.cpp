@@ -18,7 +18,7 @@ Verification checked(const LoadToVerify& load) {
   law.sections = {0, 1};
   law.bernstein = {{0, 0, 0, 30, 30, 30}, {30, 30, 30, 0, 0, 0}};
   law.cycle_duration = 0.4;
-  SilentProgress silent;
+  Progress silent;
   Verification out;
   out.passed = true;
   verify_load(law, load, silent, out);

@@ -20,17 +20,17 @@ std::vector<Point> circle(double radius, int parts, Point centre = {}) {
 }
 
 TEST(PolylineDistance, OfConcentricCirclesIsTheDifferenceOfTheirRadii) {
-  SilentProgress silent;
+  Progress silent;
   EXPECT_NEAR(nearest_approach(circle(50, 2000), circle(40, 2000), 10, silent).distance, 10, 1e-3);
 }
 
 TEST(PolylineDistance, OfCrossingLinesIsZero) {
-  SilentProgress silent;
+  Progress silent;
   EXPECT_EQ(nearest_approach({{0, -1}, {0, 1}}, {{-1, 0.2}, {1, 0.2}}, 10, silent).distance, 0);
 }
 
 TEST(PolylineDistance, FindsTheNearestChordAmongFarOnes) {
-  SilentProgress silent;
+  Progress silent;
   const NearestApproach found = nearest_approach(circle(5, 400, {100, 0}), circle(40, 4000), 60, silent);
   EXPECT_NEAR(found.distance, 55, 1e-2);
   EXPECT_NEAR(static_cast<double>(found.index), 200, 2);

@@ -12,7 +12,7 @@ namespace bahnwerk {
 namespace {
 
 Check check(const Contour& given, const Contour& path, double tolerance) {
-  SilentProgress progress;
+  Progress progress;
   return tube_checks(given, path, tolerance, progress).back();
 }
 Contour line(const std::vector<Vec>& points) { return polyline(2, points, false, 1); }

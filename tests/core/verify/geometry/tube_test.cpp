@@ -15,7 +15,7 @@ namespace bahnwerk {
 namespace {
 
 Check check(const Contour& given, const Contour& path, double tolerance) {
-  SilentProgress progress;
+  Progress progress;
   return tube_checks(given, path, tolerance, progress).back();
 }
 Contour line(std::vector<Vec> points) { return polyline(2, points, false, 1); }
@@ -107,7 +107,7 @@ Contour blocks(double one, double two) {
   return b.finish();
 }
 std::vector<Check> checks(const Contour& given, const Contour& path) {
-  SilentProgress progress;
+  Progress progress;
   return tube_checks(given, path, 0.01, progress);
 }
 

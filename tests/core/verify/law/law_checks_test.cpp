@@ -193,7 +193,7 @@ TEST(Verifier, GapInThePath) {
 }
 
 TEST(Verifier, StopsWhenAsked) {
-  struct Stopping final : Progress {
+  struct Stopping final : ProgressSink {
     void report(std::string_view, double, std::string_view) override {
       if (++calls == 3) throw Stopped(StopReason::cancelled);
     }

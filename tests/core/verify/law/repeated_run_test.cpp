@@ -16,7 +16,7 @@ const Machine m{{{"x", 1800, 16000, 1e6}, {"y", 1800, 16000, 1e6}}, 0.001};
 struct RepeatedRunsOfASheet : testing::Test {
   Contour contour = test::sheet(test::Hole::circle, 0, 12);
   TimeLaw law = [this] {
-    SilentProgress progress;
+    Progress progress;
     return plan_jerk_limited(contour, m, {}, progress).law;
   }();
 
@@ -56,7 +56,7 @@ TEST_F(RepeatedRunsOfASheet, RunOnAnotherArcIsNotRepeated) {
   ContourBuilder b(2, {1.7, 0, 0});
   b.block(Mode::cut, 300);
   b.arc({1.7, 0, 0}, {}, true);
-  SilentProgress progress;
+  Progress progress;
   const Contour one = b.finish();
   const TimeLaw single = plan_jerk_limited(one, m, {}, progress).law;
   for (const double radius : {1.7, 1.7 * (1 + 1e-10)}) {

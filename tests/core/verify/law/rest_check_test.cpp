@@ -38,7 +38,7 @@ TimeLaw law(double begin, double first, double second, double end) {
 }
 
 Check rests(const Contour& given, const Contour& driven, const TimeLaw& law) {
-  SilentProgress progress;
+  Progress progress;
   return rest_check(given, driven, law, progress);
 }
 

@@ -25,8 +25,8 @@ Path path_of(std::shared_ptr<const Curve> curve) {
 }
 
 verify::Worst peak(const Path& path, const TimeLaw& law) {
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
+  Progress silent;
+  ProgressScope progress(silent, "test");
   return verify::total_jerk(path, law, progress);
 }
 

@@ -35,7 +35,7 @@ AxisLimits limits(double velocity, double acceleration, double jerk, double snap
 }
 
 std::vector<Check> verify_axes(const Motion& motion, const std::vector<AxisLimits>& axes, int continuous = 2) {
-  SilentProgress progress;
+  Progress progress;
   return motion_checks({motion, axes, continuous}, progress);
 }
 
@@ -110,7 +110,7 @@ TEST(MotionChecks, JumpsAreFoundWhereTheyAre) {
   const std::vector<AxisLimits> axes{limits(10, 10, unlimited)};
   const auto check = [&](double dx, double dv, double da, const std::string& name) {
     const SplineMotion motion = spline(dx, dv, da);
-    SilentProgress progress;
+    Progress progress;
     return named(motion_checks({motion, axes, 2, false, false}, progress), name);
   };
   for (const std::string name : {"continuity of position", "continuity of velocity", "continuity of acceleration"})
@@ -190,7 +190,7 @@ TEST(MotionChecks, FiveAxesDrivenAlongAPath) {
   const Machine machine{kinematics.axes(), 0.001};
   const auto axes = std::make_shared<const KinematicAxisPath>(contour.path, kinematics);
   const AxisPath& path = *axes;
-  SilentProgress progress;
+  Progress progress;
   constexpr double resolution = 2e-11;  // s: 1e-10 of 40 mm at some 200 mm/s
   const PathMotion smooth(axes, plan_jerk_limited(contour_task(path, contour, machine), {}, progress).law);
   EXPECT_TRUE(passed(motion_checks({smooth, machine.axes, 1, true, true, resolution}, progress)));

@@ -13,7 +13,7 @@ namespace {
 using namespace probe_cases;
 
 double bound(const ProbeProblem& problem) {
-  SilentProgress silent;
+  Progress silent;
   return probe_bound(problem, silent).value;
 }
 
@@ -51,7 +51,7 @@ TEST(ProbeBound, DensePointsOnACircleAreBoundedByTheSpeedAndTheRamps) {
 }
 
 TEST(ProbeBound, WithoutMultipliersItKnowsFullSpeedAndRests) {
-  SilentProgress silent;
+  Progress silent;
   const auto quick = [&](const ProbeProblem& p) { return probe_bound(p, silent, 0).value; };
   // With a tube: full speed from end to end; each move from or to a rest is short enough for the speed to decide.
   const ProbeProblem wide = problem({{0, 0}, {90, 0}, {90, 60}}, 0.1);
@@ -63,7 +63,7 @@ TEST(ProbeBound, WithoutMultipliersItKnowsFullSpeedAndRests) {
 }
 
 TEST(ProbeBound, FewerMultipliersProveTheRampsOfDensePoints) {
-  SilentProgress silent;
+  Progress silent;
   const ProbeProblem p = problem(circle(120, 6), 0.05);
   const double quick = probe_bound(p, silent, 40).value;
   EXPECT_GT(quick, 2 * M_PI * 6 / 20 + 0.1);

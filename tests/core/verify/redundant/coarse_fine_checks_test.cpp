@@ -38,7 +38,7 @@ struct Case {
     CoarseFineToVerify input{*path, law, motion, coarse_axes, fine_axes};
     input.check_jerk = jerk;
     input.cycle_time = cycle_time;
-    SilentProgress progress;
+    Progress progress;
     return coarse_fine_checks(input, progress);
   }
 };
@@ -270,7 +270,7 @@ TEST(CoarseFineChecks, WhatABendMakesOfTheRoundingOfPathLengthsCoarseAxesTake) {
     shifted.append({0, time, begin, middle, speed, 0, 0, 1});
     shifted.append({0, time, middle + off, end, speed, 0, 0, 1});
     const PathMotion coarse(c.path, std::move(shifted));
-    SilentProgress progress;
+    Progress progress;
     const auto checks = coarse_fine_checks({*c.path, c.law, coarse, c.coarse_axes, c.fine_axes}, progress);
     EXPECT_EQ(find(checks, "coarse continuity of velocity").passed, passes) << off;
   }

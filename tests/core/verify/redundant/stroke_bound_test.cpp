@@ -22,9 +22,9 @@ struct Bounded {
 Bounded bounded(const Contour& contour, double stroke) {
   const CartesianAxisPath path(contour.path, 2);
   const PathTask task = contour_task(path, contour, head);
-  SilentProgress progress;
+  Progress progress;
   Bounded b;
-  lower_bound(task, 1e-3, progress, 0, 1, &b.sections);
+  lower_bound(task, 1e-3, progress, &b.sections);
   b.before = b.sections;
   b.gain = raise_by_stroke({task, coarse, fine(stroke)}, b.sections, progress);
   return b;

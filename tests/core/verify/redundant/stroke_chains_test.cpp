@@ -27,9 +27,9 @@ Bounded bounded(const Contour& contour, double longer) {
   const CartesianAxisPath path(contour.path, 2);
   const PathTask task = contour_task(path, contour, head);
   const std::vector<AxisLimits> fine = test::fine(20);
-  SilentProgress progress;
+  Progress progress;
   Bounded b;
-  lower_bound(task, 1e-3, progress, 0, 1, &b.sections);
+  lower_bound(task, 1e-3, progress, &b.sections);
   raise_by_stroke({task, coarse, fine}, b.sections, progress);
   std::vector<double> planned;
   for (const SectionBound& s : b.sections) planned.push_back(longer * s.duration), b.single += s.duration;

@@ -29,7 +29,7 @@ struct Rows final : SetpointSource {
     const std::vector<AxisLimits> head{{"x", 100, 1000}}, coarse{{"xc", 100, 1000}};
     std::vector<AxisLimits> fine{{"xf", 20, 300}};
     fine[0].lowest = -15, fine[0].highest = 15;
-    SilentProgress progress;
+    Progress progress;
     return sum_checks({*this, head, coarse, fine}, progress);
   }
   /// Names of the checks that fail.

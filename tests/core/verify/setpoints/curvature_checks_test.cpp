@@ -22,7 +22,7 @@ struct Circle {
   }
   std::vector<Check> checks(double tolerance, double half, double velocity) const {
     const CartesianAxisPath path(tool, 2);
-    SilentProgress progress;
+    Progress progress;
     return curvature_checks({path, law, 0.002, tolerance, half, velocity}, progress);
   }
 };

@@ -42,7 +42,7 @@ Verification held(double velocity, double acceleration, double jerk, double path
   return v;
 }
 std::vector<Check> checked(const Rows& rows, const Verification& motion) {
-  SilentProgress progress;
+  Progress progress;
   Machine machine{{{"q", unlimited}}, 0.001};
   return difference_checks({rows, machine, {180 / std::numbers::pi}, motion}, progress);
 }
@@ -108,7 +108,7 @@ TEST(DifferenceChecks, AFeedMayFluctuateByItsToleranceAndRowsByTheirRounding) {
   rows.q = [](double) { return 0.0; };
   rows.s = [](double t) { return 7 * t + 1e-5 * std::sin(1000 * std::numbers::pi * t + 1); };
   const Verification motion = held(1, 1, 1, 7);
-  SilentProgress progress;
+  Progress progress;
   const Machine machine{{{"q", unlimited}}, 0.001};
   DifferenceInput input{rows, machine, {180 / std::numbers::pi}, motion};
   EXPECT_FALSE(difference_checks(input, progress).at(3).passed) << "0.017 too fast";

@@ -52,7 +52,7 @@ struct MotionRows : testing::Test {
   MotionSetpoints rows{motion, machine, 600};
 
   std::string failed(const SetpointSource& source) const {
-    SilentProgress progress;
+    Progress progress;
     std::string names;
     for (const Check& check : motion_setpoint_checks(*motion, machine, source, progress))
       if (!check.passed) names += check_name(check) + ';';

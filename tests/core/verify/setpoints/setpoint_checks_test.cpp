@@ -74,7 +74,7 @@ struct SetpointChecks : testing::Test {
 
   void SetUp() override {
     contour.blocks[1].mode = Mode::position;
-    SilentProgress progress;
+    Progress progress;
     const TimeLaw law = plan_acceleration_limited(contour, m, {}, progress).law;
     const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
     motion = slowed(contour, m, law, cycles);
@@ -82,7 +82,7 @@ struct SetpointChecks : testing::Test {
     last = cycles.count;
   }
   std::vector<Check> checked(const SetpointSource& source) const {
-    SilentProgress progress;
+    Progress progress;
     return setpoint_checks({motion->path(), m, motion->law(), source, &contour}, progress);
   }
   /// Exactly these checks fail.
@@ -229,7 +229,7 @@ TEST_F(SetpointChecks, AColumnThatIsMissing) {
 }
 
 TEST_F(SetpointChecks, StopsWhenAskedAndReportsOften) {
-  struct Watching final : Progress {
+  struct Watching final : ProgressSink {
     void report(std::string_view, double fraction, std::string_view) override {
       EXPECT_GE(fraction, 0.5);
       EXPECT_LE(fraction, 0.75);
@@ -238,11 +238,12 @@ TEST_F(SetpointChecks, StopsWhenAskedAndReportsOften) {
     int calls = 0, stop = 1000;
   };
   Watching watching;
-  setpoint_checks({motion->path(), m, motion->law(), *rows, &contour, 0.5, 0.75}, watching);
+  setpoint_checks({motion->path(), m, motion->law(), *rows, &contour}, Progress(watching).part(0.5, 0.75));
   EXPECT_GE(watching.calls, static_cast<int>(last / 8192) + 2);
   Watching stopping;
   stopping.stop = 2;
-  EXPECT_THROW(setpoint_checks({motion->path(), m, motion->law(), *rows, &contour, 0.5, 0.75}, stopping), Stopped);
+  EXPECT_THROW(setpoint_checks({motion->path(), m, motion->law(), *rows, &contour}, Progress(stopping).part(0.5, 0.75)),
+               Stopped);
 }
 
 TEST_F(SetpointChecks, RestIsAMotion) {
@@ -256,7 +257,7 @@ TEST_F(SetpointChecks, RestIsAMotion) {
   const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
   const auto dwelling = slowed(corner, m, law, cycles);
   const ContourSetpoints source(dwelling, corner, m, cycles.count);
-  SilentProgress progress;
+  Progress progress;
   for (const Check& c : setpoint_checks({dwelling->path(), m, dwelling->law(), source, &corner}, progress))
     EXPECT_TRUE(c.passed) << check_name(c) << ' ' << c.value << " against " << c.limit << " at " << c.at;
   const Verification v = verify_motion({corner, m, dwelling->law(), 1e-3}, progress);

@@ -9,7 +9,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-SilentProgress silent;
+Progress silent;
 
 std::size_t times(const std::string& text, const std::string& part) {
   std::size_t n = 0;

@@ -10,7 +10,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-SilentProgress silent;
+Progress silent;
 constexpr std::size_t wall = ForceBalance::wall;
 
 struct Contact {
@@ -38,7 +38,7 @@ std::vector<Point> limits(const Contact& c, double friction) {
 /// The forces of a balance act as claimed, or its velocities prove the slip: work is done and no contact closes.
 void expect_proof(const Pile& pile, double friction) {
   ForceBalance balance = built(pile, friction);
-  const ForceBalance::Result result = balance.solve(silent, 0);
+  const ForceBalance::Result result = balance.solve(silent);
   if (result.balanced) {
     std::vector<Point> sum = pile.forces;
     std::size_t k = 0;
@@ -69,9 +69,9 @@ void expect_proof(const Pile& pile, double friction) {
 TEST(ForceBalance, OneWireOnASlopeHoldsUpToItsFriction) {
   for (const double slope : {0.05, 0.3, 0.8}) {
     const Pile pile{{{0, -1}}, {{0, wall, {std::sin(slope), std::cos(slope)}}}};
-    EXPECT_FALSE(built(pile, 0).solve(silent, 0).balanced);
-    EXPECT_TRUE(built(pile, std::tan(slope) + 1e-3).solve(silent, 0).balanced);
-    EXPECT_FALSE(built(pile, std::tan(slope) - 1e-3).solve(silent, 0).balanced);
+    EXPECT_FALSE(built(pile, 0).solve(silent).balanced);
+    EXPECT_TRUE(built(pile, std::tan(slope) + 1e-3).solve(silent).balanced);
+    EXPECT_FALSE(built(pile, std::tan(slope) - 1e-3).solve(silent).balanced);
   }
 }
 
@@ -81,24 +81,24 @@ TEST(ForceBalance, WedgeDrivesTwoWiresApart) {
   const double s = std::sqrt(0.5);
   const Pile pile{{{0, -1}, {0, -1}, {0, -1}}, {{0, wall, {0, 1}}, {1, wall, {0, 1}}, {2, 0, {s, s}}, {2, 1, {-s, s}}}};
   const double limit = (std::sqrt(28) - 4) / 6;
-  EXPECT_FALSE(built(pile, 0).solve(silent, 0).balanced);
-  EXPECT_FALSE(built(pile, limit - 1e-3).solve(silent, 0).balanced);
-  EXPECT_TRUE(built(pile, limit + 1e-3).solve(silent, 0).balanced);
+  EXPECT_FALSE(built(pile, 0).solve(silent).balanced);
+  EXPECT_FALSE(built(pile, limit - 1e-3).solve(silent).balanced);
+  EXPECT_TRUE(built(pile, limit + 1e-3).solve(silent).balanced);
   Pile held = pile;
   held.contacts.push_back({0, wall, {1, 0}});
   held.contacts.push_back({1, wall, {-1, 0}});
-  EXPECT_TRUE(built(held, 0).solve(silent, 0).balanced);
+  EXPECT_TRUE(built(held, 0).solve(silent).balanced);
 }
 
 TEST(ForceBalance, WireWithoutContactSlipsAlongItsForce) {
   ForceBalance balance = built({{{0.6, 0.8}}, {}}, 0.2);
-  const auto result = balance.solve(silent, 0);
+  const auto result = balance.solve(silent);
   EXPECT_FALSE(result.balanced);
   EXPECT_EQ(result.closing, 0);
   EXPECT_EQ(balance.left()[0], (Point{0.6, 0.8}));
 }
 
-TEST(ForceBalance, WireWithoutForceRests) { EXPECT_TRUE(built({{{0, 0}}, {}}, 0).solve(silent, 0).balanced); }
+TEST(ForceBalance, WireWithoutForceRests) { EXPECT_TRUE(built({{{0, 0}}, {}}, 0).solve(silent).balanced); }
 
 TEST(ForceBalance, LongColumnCarriesItsWeight) {
   Pile pile;
@@ -107,7 +107,7 @@ TEST(ForceBalance, LongColumnCarriesItsWeight) {
     pile.contacts.push_back({i, i ? i - 1 : wall, {0, 1}});
   }
   ForceBalance balance = built(pile, 0);
-  ASSERT_TRUE(balance.solve(silent, 0).balanced);
+  ASSERT_TRUE(balance.solve(silent).balanced);
   for (std::size_t i = 0; i < 300; ++i) EXPECT_NEAR(balance.pushes()[i], 300 - static_cast<double>(i), 1e-2);
 }
 
@@ -126,9 +126,9 @@ TEST(ForceBalance, GrownPileGivesTheSameVerdictAsAWholeOne) {
         pile.contacts.push_back({i, other, {std::cos(a), std::sin(a)}});
         grown.add_contact(i, other, pile.contacts.back().normal);
       }
-      balanced = grown.solve(silent, 0).balanced;
+      balanced = grown.solve(silent).balanced;
     }
-    EXPECT_EQ(balanced, built(pile, 0.2).solve(silent, 0).balanced);
+    EXPECT_EQ(balanced, built(pile, 0.2).solve(silent).balanced);
   }
 }
 
@@ -148,7 +148,7 @@ TEST(ForceBalance, VerdictsOfRandomPilesAreProved) {
     }
     const double friction = round % 2 ? 0 : random.uniform(0, 0.6);
     expect_proof(pile, friction);
-    balanced += built(pile, friction).solve(silent, 0).balanced;
+    balanced += built(pile, friction).solve(silent).balanced;
   }
   EXPECT_GT(balanced, 40);
   EXPECT_LT(balanced, 360);

@@ -15,7 +15,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-SilentProgress silent;
+Progress silent;
 
 /// Greatest distance of a wire from the lattice through the first one with rows along x.
 double off_lattice(const Layout& layout, double radius, const std::function<bool(Point)>& counts) {
@@ -191,7 +191,7 @@ TEST(Needle, NothingFits) {
 }
 
 TEST(Needle, StopsWhenToldTo) {
-  struct Stop : Progress {
+  struct Stop : ProgressSink {
     int calls = 0;
     void report(std::string_view, double fraction, std::string_view) override {
       EXPECT_GE(fraction, 0);

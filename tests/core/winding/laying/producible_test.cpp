@@ -21,7 +21,7 @@ namespace {
 using test::rectangle;
 using Reason = Producible::Reason;
 
-SilentProgress silent;
+Progress silent;
 constexpr Point below{5, -1e9};
 
 Producible check(const Region& usable_area, double radius, std::vector<Point> wires, Point tension_point,
@@ -182,7 +182,7 @@ TEST(Producible, RotorsLatticeHoldsUnderTheHeadsPulls) {
 }
 
 TEST(Producible, StopsWhenToldTo) {
-  struct Stop : Progress {
+  struct Stop : ProgressSink {
     void report(std::string_view, double fraction, std::string_view) override {
       if (fraction > 0.5) throw Stopped(StopReason::deadline);
     }

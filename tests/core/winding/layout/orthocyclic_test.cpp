@@ -15,7 +15,7 @@ namespace {
 
 using test::rectangle;
 
-SilentProgress silent;
+Progress silent;
 
 /// All points of the lattice through `first` that keep their distance, by trying far more than can.
 std::size_t lattice_points(const Region& usable_area, double radius, Point first, double angle) {

@@ -56,7 +56,7 @@ std::size_t lattice_count(const Region& usable_area, double radius, double dista
   return best;
 }
 
-class Stops final : public Progress {
+class Stops final : public ProgressSink {
  public:
   explicit Stops(int after) : left_(after) {}
   void report(std::string_view, double, std::string_view) override {
@@ -67,7 +67,7 @@ class Stops final : public Progress {
   int left_;
 };
 
-struct Notes final : Progress {
+struct Notes final : ProgressSink {
   void report(std::string_view, double fraction, std::string_view) override { fractions.push_back(fraction); }
   std::vector<double> fractions;
 };

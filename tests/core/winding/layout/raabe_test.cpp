@@ -16,7 +16,7 @@ namespace {
 
 using test::rectangle;
 
-SilentProgress silent;
+Progress silent;
 
 TEST(Raabe, FlatBaseFillsFromTheLeft) {
   const Layout layout = raabe(rectangle(10, 2 + 2 * std::sqrt(3)), 1, silent);

@@ -48,7 +48,7 @@ class FourStarts {
  private:
   bool start(std::size_t count) {
     constexpr double endless = std::numeric_limits<double>::infinity();
-    SilentProgress silent;
+    Progress silent;
     std::vector<Point> wires;
     for (std::size_t i = 0; i < count; ++i) wires.push_back(places_[random_.below(places_.size())]);
     for (int grown = 100; grown < 200; ++grown) {
@@ -66,7 +66,7 @@ class FourStarts {
   const Region& slot_;
   Wire wire_;
   Random& random_;
-  SilentProgress silent_;
+  Progress silent_;
   CentreArea usable_area_;
   OverlapEnergy energy_;
   Minimiser minimiser_;
@@ -75,7 +75,7 @@ class FourStarts {
 
 TEST(SourceSearch, NeverFindsMoreWires) {
   const Slot slot = make_slot(StatorSlot{});
-  SilentProgress silent;
+  Progress silent;
   const std::vector<Wire> wires = standard_wires(2, 0.63, 1.6, Series::r20);
   std::vector<std::size_t> most;
   for (const Wire& wire : wires) {
@@ -99,7 +99,7 @@ TEST(SourceSearch, SeventyEightWiresPressedTogether) {
   const Slot slot = make_slot(StatorSlot{});
   const Wire wire = *standard_wire(0.9, 2);
   const double r = wire.radius();
-  SilentProgress silent;
+  Progress silent;
   double least = 0.025;  // of the radius
   std::vector<std::vector<Point>> best;
   const auto found = [&](double overlap, double effort) {

@@ -17,7 +17,7 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-SilentProgress silent;
+Progress silent;
 
 Vec3 unit(Vec3 a) { return (1 / norm(a)) * a; }
 

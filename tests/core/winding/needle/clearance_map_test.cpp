@@ -12,7 +12,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-SilentProgress silent;
+Progress silent;
 
 TEST(ClearanceMap, ATipInTheMiddleHasHalfOfWhatTheOpeningLeaves) {
   const StatorPart part;

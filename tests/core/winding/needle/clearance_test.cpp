@@ -19,7 +19,7 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-SilentProgress silent;
+Progress silent;
 
 NeedleMove still(Vec3 tip, double phi, double psi = 0) { return {{tip, phi, psi}, {tip, phi, psi}}; }
 
@@ -137,7 +137,7 @@ TEST(Clearance, AsksProgressAndStopsForAWholeCoil) {
   const auto pieces =
       support_points(part, coils, turns_of({regions}, layouts, layouts[0].wires.size(), 0.45), NeedleModel{});
   const StatorIron iron(part, slot);
-  struct Counting final : Progress {
+  struct Counting final : ProgressSink {
     void report(std::string_view, double, std::string_view) override { ++calls; }
     int calls = 0;
   } counting;

@@ -13,7 +13,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-SilentProgress silent;
+Progress silent;
 
 TEST(PartObstacles, NamesWhatTheyAre) {
   const StatorPart stator;

@@ -17,7 +17,7 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-SilentProgress silent;
+Progress silent;
 
 struct Wound {
   std::vector<Coil> coils;
@@ -339,7 +339,7 @@ TEST(SupportPoints, ImpossibleOnesAreRefused) {
   EXPECT_EQ(refused(model), "pull.force");
   model = {};
   model.pull.bend_radius = 200;  // beyond the axis
-  SilentProgress silent;
+  Progress silent;
   EXPECT_EQ(support_points(part, w.coils, w.turns, model, silent).reason(), NoSupport::beyond_axis);
   EXPECT_TRUE(support_points(part, w.coils, {}, {}).empty());
   std::vector<Turn> none = w.turns;

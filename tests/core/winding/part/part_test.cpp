@@ -113,7 +113,7 @@ TEST(Part, RotorFramesAreThoseOfTheTransformations) {
 
 // What is laid does not depend on where the coil lies.
 TEST(Part, LayoutsAreTheSameForEveryPlaceAndDirection) {
-  SilentProgress silent;
+  Progress silent;
   const StatorPart part = stator(36);
   const Slot slot = checked_slot(part);
   const auto laid = [&](Coil coil) { return needle(coil_regions(part, slot, coil), 0.6, slot.tension_point, silent); };

@@ -11,7 +11,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-SilentProgress silent;
+Progress silent;
 
 TEST(Layers, AreTheRowsOfALattice) {
   std::vector<Point> wires;

@@ -36,7 +36,7 @@ TEST(LinkSearch, SharpestBendSeesWhatIsNarrow) {
 }
 
 TEST(LinkSearch, FindsABendAndTheSameFromItsNeighbour) {
-  SilentProgress progress;
+  Progress progress;
   const LinkOptions options;
   const LinkSearch search(options);
   const FoundLink first = search.find(corner(0), std::nullopt, progress);
@@ -48,7 +48,7 @@ TEST(LinkSearch, FindsABendAndTheSameFromItsNeighbour) {
 }
 
 TEST(LinkSearch, TheSmoothestIsSmootherThanTheSubstituteAndThatThanTheParametricLink) {
-  SilentProgress progress;
+  Progress progress;
   LinkOptions options;
   const double smoothest = LinkSearch(options).find(corner(0), std::nullopt, progress).best.smoothness;
   options.objective = LinkObjective::control_distance;

@@ -30,7 +30,7 @@ NeedlePath planned(const std::vector<FixedPiece>& pieces, bool stator, std::size
   LinkOptions options;
   options.continuity = k;
   options.objective = objective;
-  SilentProgress progress;
+  Progress progress;
   return *needle_path(pieces, stator, options, progress);
 }
 
@@ -138,7 +138,7 @@ TEST(NeedlePath, OneLinkAtEveryJointIsPassedEvenly) {
 
 TEST(NeedlePath, RefusesWhatIsNoPath) {
   std::vector<FixedPiece> pieces = rotor_pieces(1);
-  SilentProgress progress;
+  Progress progress;
   LinkOptions options;
   options.continuity = 5;
   EXPECT_THROW(needle_path(pieces, false, options, progress), InvalidInput);

@@ -21,7 +21,7 @@ inline std::vector<FixedPiece> stator_pieces(const StatorPart& part, const std::
   const Slot slot = checked_slot(part);
   std::vector<LayingRegions> regions;
   for (const Coil& coil : coils) regions.push_back(coil_regions(part, slot, coil));
-  SilentProgress progress;
+  Progress progress;
   const NeedleLayout layout = needle(regions.front(), radius, slot.tension_point, progress);
   NeedleModel model;
   model.pivot_limit = 0.2;
@@ -39,7 +39,7 @@ inline std::vector<FixedPiece> rotor_pieces(std::size_t turns, std::size_t coils
   std::vector<LayingRegions> regions;
   for (const Coil& coil : repeated(coil_between(part, 0, 1), part.poles, 1, coils, true))
     regions.push_back(coil_regions(part, slot, coil));
-  SilentProgress progress;
+  Progress progress;
   const NeedleLayout layout = needle(regions.front(), radius, slot.tension_point, progress);
   return support_points(part, turns_of(regions, layout, turns, radius), {});
 }

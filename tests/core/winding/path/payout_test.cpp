@@ -68,7 +68,7 @@ TEST(FreeWire, RatesAreThoseOfTheLength) {
 /// Of both parts: two coils of three turns.
 template <class Part>
 void expect_continuous(const Part& part, const std::vector<Coil>& coils, double slack) {
-  SilentProgress progress;
+  Progress progress;
   const Slot slot = checked_slot(part);
   std::vector<LayingRegions> regions;
   for (const Coil& coil : coils) regions.push_back(coil_regions(part, slot, coil));

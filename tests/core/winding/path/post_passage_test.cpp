@@ -36,12 +36,12 @@ struct Passing {
         posts(part, coils, {}, needle_shape, clearance) {}
 
   NeedlePath path(bool beside) const {
-    SilentProgress progress;
+    Progress progress;
     return *needle_path(pieces, true, options, progress, beside ? &posts : nullptr);
   }
   /// The least over the links.
   double room(const NeedlePath& path) const {
-    SilentProgress progress;
+    Progress progress;
     double least = 1e9;
     for (const NeedlePiece& piece : path.pieces)
       if (piece.link) least = std::min(least, posts.from_all(coil_of(piece, pieces), {&piece.curve, 1}, progress));

@@ -23,11 +23,11 @@ struct Paths {
   LinkOptions options;
   NeedlePath smooth;
   explicit Paths(bool stator, std::size_t turns) : pieces(stator ? stator_pieces(turns) : rotor_pieces(turns)) {
-    SilentProgress progress;
+    Progress progress;
     smooth = *needle_path(pieces, stator, options, progress);
   }
   QuickLinks quick(const PieceTimer& time) const {
-    SilentProgress progress;
+    Progress progress;
     return quick_links(pieces, smooth, smooth, options, time, progress);
   }
 };

@@ -25,7 +25,7 @@ TYPED_TEST(Attempts, ClaimsByPriorityThenInOrder) {
 }
 
 /// Progress that clients see at once, with a revision of its own each.
-struct SeenProgress final : Progress {
+struct SeenProgress final : ProgressSink {
   void report(std::string_view, double, std::string_view) override { ++revision; }
   std::uint64_t revision = 7;
 };

@@ -237,7 +237,7 @@ struct Moves : testing::Test {
 
   std::map<std::string, std::string> ids;
   std::uint64_t cursor = 0;
-  SilentProgress silent;
+  Progress silent;
   TempFolder folder;
   std::optional<Target> target;
 };

@@ -22,7 +22,7 @@ struct PostgresOnly : testing::Test {
     return PostgresServer::run(stores->url, "SET search_path = bahnwerk; " + sql);
   }
   std::optional<PostgresStores> stores;
-  SilentProgress silent;
+  Progress silent;
 };
 
 TEST_F(PostgresOnly, NumbersOfChangesGoOnWhereACrashHasEmptiedTheirTables) {

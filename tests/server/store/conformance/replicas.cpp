@@ -38,7 +38,7 @@ class NoisyRows final : public SetpointSource {
   std::vector<Column> columns_{{"p", "mm"}, {"q", "mm"}};
 };
 
-struct StoppingNearTheEnd final : Progress {
+struct StoppingNearTheEnd final : ProgressSink {
   void report(std::string_view, double, std::string_view) override {
     if (--left == 0) throw Stopped(StopReason::cancelled);
   }

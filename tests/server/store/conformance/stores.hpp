@@ -86,7 +86,7 @@ struct Conformance : testing::Test {
   std::optional<S> stores;
   Store* here = nullptr;
   Store* other = nullptr;
-  SilentProgress silent;
+  Progress silent;
 };
 
 }  // namespace bahnwerk::server

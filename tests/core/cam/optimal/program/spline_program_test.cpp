@@ -168,7 +168,7 @@ TEST(SplineProgram, AShortSectionIsWorthAVelocity) {
 }
 
 TEST(SplineProgram, ContradictionsAreNamed) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   LawTask task = make_law_task(problem);
   const LawBasis four(task, 4, 1), five(task, 5, 1);
@@ -187,7 +187,7 @@ TEST(SplineProgram, ContradictionsAreNamed) {
 /// Near a rest a limit of velocity leaves a law next to no room; steps in coefficients and angles converge there, too,
 /// at any radius.
 TEST(SplineProgram, JointStepsOfMonotoneLawsConverge) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(50, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(45, {testing::fixed(25)}, 3));
   problem.points[1].at = {15, 75};

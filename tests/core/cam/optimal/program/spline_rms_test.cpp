@@ -24,7 +24,7 @@ MotionLawProblem fast_rise() {
   return out;
 }
 LawSolution planned(MotionLawProblem problem, int then) {
-  SilentProgress progress;
+  Progress progress;
   problem.objective.then_order = then;
   return plan_optimal_law(problem, progress).solution;
 }

@@ -35,7 +35,7 @@ double residual(const CamLaw& law, double hertz, double damping) {
 }
 
 TEST(Vibration, ModesRestBehindTheLaw) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 0.5);
   problem.degree = 7;
   problem.pieces = 3;

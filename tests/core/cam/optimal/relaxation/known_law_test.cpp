@@ -21,7 +21,7 @@ TEST(KnownLaw, HasTheValuesOfItsPointsEveryCycle) {
                     testing::point_at(150, {testing::fixed(20), testing::fixed(3)})};
   const LawTask task = make_law_task(problem);
   const LawBasis basis(task, 6, 2);
-  SilentProgress progress;
+  Progress progress;
   const SplineResult spline = SplineProgram(task, basis, task.middle()).solve({}, progress);
   ASSERT_TRUE(spline.feasible);
   const KnownLaw law(task, basis, spline);

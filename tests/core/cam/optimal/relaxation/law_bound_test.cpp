@@ -11,7 +11,7 @@ namespace bahnwerk::cam {
 namespace {
 
 TEST(LawBound, BoxesOfAnglesHoldForEveryAngleInThem) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(12)}, 3));
   double least = 1e300;
@@ -33,7 +33,7 @@ TEST(LawBound, BoxesOfAnglesHoldForEveryAngleInThem) {
 
 /// A range that reaches beyond the next point: no law has its point there, and the bound stays below every law.
 TEST(LawBound, RangesThatOverlapTheNextPointHoldForEveryAngleInThem) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(10, {testing::fixed(3)}));
   problem.points.insert(problem.points.begin() + 2, testing::point_at(30, {testing::fixed(18)}));

@@ -14,7 +14,7 @@ namespace {
 /// A/(½ − r) + B/(r (½ − r)), A = w₂ 2h/T², B = w₃ 2h/T³, stationary at r = (−B + √(B² + AB/2))/A, where
 /// its jerk is dear enough for a velocity without plateau.
 TEST(Relaxation, ReachesTheClosedFormFromBelow) {
-  SilentProgress progress;
+  Progress progress;
   for (const double jerk_weight : {1.0, 2.0, 4.0}) {
     MotionLawProblem problem = testing::rest_to_rest(25, 0.4);
     problem.objective.weight[3] *= jerk_weight;
@@ -33,7 +33,7 @@ TEST(Relaxation, ReachesTheClosedFormFromBelow) {
 
 /// No law that exists is better, whatever its degree and pieces.
 TEST(Relaxation, IsBelowEveryLaw) {
-  SilentProgress progress;
+  Progress progress;
   Random random(4);
   for (int k = 0; k < 12; ++k) {
     const LawTask task = make_law_task(testing::random_problem(random));
@@ -49,7 +49,7 @@ TEST(Relaxation, IsBelowEveryLaw) {
 
 /// A dwell has no acceleration at its ends, whatever the grid: what lies beside it is bounded as between rests.
 TEST(Relaxation, BesideADwellIsAsCloseAsBetweenRests) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem alone = testing::rest_to_rest(25, 0.4), behind = testing::rest_to_rest(25, 0.8);
   behind.objective.weight = alone.objective.weight;
   behind.length = 180;
@@ -70,7 +70,7 @@ TEST(Relaxation, BesideADwellIsAsCloseAsBetweenRests) {
 /// A dwell whose height is free, between a rise and a return around a cycle, in every place of the list of points: the
 /// bound does not depend on where the cycle begins, and a law at any height keeps it.
 TEST(Relaxation, ADwellOfFreeHeightTakesPartWhereverTheCycleBegins) {
-  SilentProgress progress;
+  Progress progress;
   const double at[] = {0, 80, 140, 260}, low[] = {0, 20, 20, 5}, high[] = {0, 24, 24, 8};
   double least = 0, most = 1e300, law_there = 1e300;
   for (std::size_t begin = 0; begin < 4; ++begin) {
@@ -98,7 +98,7 @@ TEST(Relaxation, ADwellOfFreeHeightTakesPartWhereverTheCycleBegins) {
 
 /// Where acceleration may jump, laws below the bound of smooth ones exist: the nodes there are two.
 TEST(Relaxation, JumpsThatAPointAllowsCountAsLaws) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(0, 1);
   problem.points.insert(problem.points.begin() + 1, testing::point_at(45, {testing::fixed(20)}, 1));
   LawTask task = make_law_task(problem);

@@ -59,7 +59,7 @@ TEST(GivenSections, EndsAreConditionsOfTheirNeighboursAndPeaksAreFloors) {
 
 /// A return that is faster than the rise is what it would be alone between its rests.
 TEST(GivenSections, AFastReturnIsThatOfTheReturnAlone) {
-  SilentProgress progress;
+  Progress progress;
   const OptimalLaw mixed = plan_optimal_law(rise_dwell_return(200, 30, 80), progress);
   MotionLawProblem alone;
   alone.method = LawMethod::optimal;
@@ -80,7 +80,7 @@ TEST(GivenSections, AFastReturnIsThatOfTheReturnAlone) {
 
 /// A slow return never shows: J is what the rise alone is worth, and so are both bounds.
 TEST(GivenSections, BehindAFastRiseJIsThatOfTheRise) {
-  SilentProgress progress;
+  Progress progress;
   const OptimalLaw mixed = plan_optimal_law(rise_dwell_return(60, 40, 300), progress);
   const double t = 0.06, rise = 2 * 30 / t + 0.03 * 2 * pi * 30 / (t * t) + 0.001 * 4 * pi * pi * 30 / (t * t * t);
   EXPECT_TRUE(mixed.proven);
@@ -91,7 +91,7 @@ TEST(GivenSections, BehindAFastRiseJIsThatOfTheRise) {
 
 /// The section is the textbook's: s = h (z − sin 2πz/2π), whatever is optimised beside it.
 TEST(GivenSections, TheLawHasThePiecesOfTheTextbook) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = rise_dwell_return(110, 50, 70);
   problem.degree.reset();
   const OptimalLaw mixed = plan_optimal_law(problem, progress);
@@ -104,7 +104,7 @@ TEST(GivenSections, TheLawHasThePiecesOfTheTextbook) {
 
 /// A drive's acceleration limit A is reached in the modified sine of h in T: A = 4π²/(4 + π) h/T².
 TEST(GivenSections, TheShortestCycleIsThatOfTheClassicalSectionThatLimitsIt) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = rise_dwell_return(60, 40, 300);
   problem.points[0].law = ClassicalLaw::modified_sine;
   problem.cycle_duration.reset();
@@ -117,7 +117,7 @@ TEST(GivenSections, TheShortestCycleIsThatOfTheClassicalSectionThatLimitsIt) {
 
 /// Parabolas have no jerk inside their pieces: J is that of their velocity and acceleration, and both bounds say so.
 TEST(GivenSections, PeaksThatVanishLeaveTheBounds) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 0.5);
   problem.points[0].values = problem.points[1].values = {fixed(0)};
   problem.points[1].values[0] = fixed(30);
@@ -132,7 +132,7 @@ TEST(GivenSections, PeaksThatVanishLeaveTheBounds) {
 /// Two 3-4-5 polynomials, 30 mm up and 10 mm back in 0.4 s: the velocity is least where both have the same, 1.875 · 40
 /// mm / 0.4 s, at three quarters of the cycle.
 TEST(GivenSections, TheirAnglesAreChosen) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem;
   problem.method = LawMethod::optimal;
   problem.length = 360;
@@ -167,7 +167,7 @@ TEST(GivenSections, StretchWhereTheyRestAsFarAsContinuityAsks) {
 
 /// Motion to motion: the spline takes over the velocity of the polynomial before it.
 TEST(GivenSections, JoinInMotion) {
-  SilentProgress progress;
+  Progress progress;
   MotionLawProblem problem = testing::rest_to_rest(40, 0.3);
   problem.points.insert(problem.points.begin() + 1, point_at(35, {fixed(14), fixed(170), fixed(250)}, 3));
   problem.points[0].law = ClassicalLaw::polynomial_4567;
@@ -182,7 +182,7 @@ TEST(GivenSections, JoinInMotion) {
 }
 
 std::vector<std::vector<std::string>> refused(const MotionLawProblem& problem) {
-  SilentProgress progress;
+  Progress progress;
   std::vector<std::vector<std::string>> places;
   try {
     plan_optimal_law(problem, progress);

@@ -74,7 +74,7 @@ TEST(DxfBinary, IsReadAsItsAsciiForm) {
 }
 
 TEST(DxfBinary, NumbersKeepTheirBits) {
-  SilentProgress silent;
+  Progress silent;
   const double value = 0.1 + 0.2;
   const std::string text = dxf_ascii(Bytes(false).text(0, "SECTION").real(40, value).all(), silent);
   EXPECT_EQ(text, "0\nSECTION\n40\n0.30000000000000004\n");

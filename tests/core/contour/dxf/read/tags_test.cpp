@@ -6,7 +6,7 @@ namespace bahnwerk {
 namespace {
 
 TEST(DxfTags, PairsHaveTheirLines) {
-  SilentProgress progress;
+  Progress progress;
   DxfTags tags("  0\nLINE\n999\nnobody reads this\n 10\n  1.5 \r\n", progress);
   DxfTag tag;
   ASSERT_TRUE(tags.next(tag));
@@ -21,7 +21,7 @@ TEST(DxfTags, PairsHaveTheirLines) {
 }
 
 TEST(DxfTags, RecordsBeginWithCodeZeroAndCanBeReadAgain) {
-  SilentProgress progress;
+  Progress progress;
   DxfTags tags("5\nlost\n0\nLINE\n8\nA\n10\n1\n0\nARC\n40\n2\n0\nEOF\n", progress);
   DxfRecord record;
   ASSERT_TRUE(tags.next(record));
@@ -56,7 +56,7 @@ TEST(DxfTags, NumbersAreReadWholeOrRefusedWithTheirLine) {
 }
 
 TEST(DxfTags, ACodeWithoutValueOrBeyondTheFormatIsRefused) {
-  SilentProgress progress;
+  Progress progress;
   DxfTag tag;
   for (const char* text : {"0\n", "0\nLINE\n10\n", "1072\nx\n", "-6\nx\n", "abc\nx\n"}) {
     DxfTags tags(text, progress);

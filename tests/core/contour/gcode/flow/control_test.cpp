@@ -191,7 +191,7 @@ TEST(GcodeControl, NestingIsBounded) {
   EXPECT_EQ(fault_lines(names), (std::vector{10'002}));
 }
 
-struct StopAtOnce final : Progress {
+struct StopAtOnce final : ProgressSink {
   std::size_t calls = 0;
   void report(std::string_view, double, std::string_view) override {
     if (++calls == 3) throw std::runtime_error("stopped");

@@ -8,7 +8,7 @@ namespace bahnwerk {
 namespace {
 
 TEST(GcodeOutline, Chains) {
-  SilentProgress progress;
+  Progress progress;
   const gcode::Outline outline(
       "O10 (main)\no1 if [1]\n N5 o1 else\n/o1 else\no1 endif\n(c) o1 do\nG0 X1\no1 break\no1 while [0]\no2 endif",
       true, progress);

@@ -21,7 +21,7 @@ LinkEnds stator() {
 }
 
 TEST(BestLink, CurvatureIsSmoothest) {
-  SilentProgress progress;
+  Progress progress;
   const SmoothnessWeights weights;
   for (const bool straight : {true, false}) {
     const LinkEnds ends = straight ? rotor() : stator();
@@ -45,7 +45,7 @@ TEST(BestLink, CurvatureIsSmoothest) {
 
 // β by the ends' own parameters give the link that was judged.
 TEST(BestLink, ShapeBelongsToTheEndsAsGiven) {
-  SilentProgress progress;
+  Progress progress;
   for (std::size_t k = 1; k <= 4; ++k) {
     const SmoothnessRule rule(k);
     const SmoothnessWeights weights{1, 8, true, 1e-5};

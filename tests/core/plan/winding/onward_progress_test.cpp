@@ -1,13 +1,15 @@
-#include "core/base/progress_part.hpp"
+#include "core/plan/winding/onward_progress.hpp"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 #include "core/base/errors.hpp"
 
 namespace bahnwerk {
 namespace {
 
-struct Last final : Progress {
+struct Last final : ProgressSink {
   void report(std::string_view name, double value, std::string_view text) override {
     stage = name, fraction = value, message = text;
     if (stop) throw Stopped(StopReason::cancelled);
@@ -16,26 +18,6 @@ struct Last final : Progress {
   double fraction = -1;
   bool stop = false;
 };
-
-TEST(ProgressPart, MapsFractionsToItsShareUnderItsOwnName) {
-  Last last;
-  ProgressPart part(last, "split", 0.25, 0.75);
-  part.report("inner", 0);
-  EXPECT_EQ(last.stage, "split");
-  EXPECT_DOUBLE_EQ(last.fraction, 0.25);
-  part.report("inner", 0.5, "half");
-  EXPECT_DOUBLE_EQ(last.fraction, 0.5);
-  EXPECT_EQ(last.message, "half");
-  part.report("inner", 1);
-  EXPECT_DOUBLE_EQ(last.fraction, 0.75);
-}
-
-TEST(ProgressPart, WishToStopPassesThrough) {
-  Last last;
-  last.stop = true;
-  ProgressPart part(last, "split", 0, 1);
-  EXPECT_THROW(part.report("inner", 0.5), Stopped);
-}
 
 TEST(OnwardProgress, ARepeatedStepReportsTheLargestFractionBefore) {
   Last last;
