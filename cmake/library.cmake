@@ -7,7 +7,7 @@ set(BAHNWERK_PUBLIC_HEADERS
   base/errors.hpp base/progress.hpp base/read_rows.hpp base/setpoint_source.hpp base/verification.hpp
   contour/builder.hpp contour/contour.hpp contour/dxf.hpp contour/gcode.hpp contour/polyline.hpp
   machine/limits.hpp machine/machine.hpp
-  plan/contour_plan.hpp plan/method_options.hpp)
+  plan/contour/contour_plan.hpp plan/method_options.hpp)
 
 get_property(objects GLOBAL PROPERTY BAHNWERK_OBJECTS)
 find_package(NLopt REQUIRED)

@@ -24,19 +24,19 @@ including() {
   expect "$1" "$2 including $3"
   : >"$tree/$2"
 }
-including 0 core/verify/verifier.cpp core/motion/law/time_law.hpp
+including 0 core/verify/law/verifier.cpp core/motion/law/time_law.hpp
 including 0 core/verify/law/law_checks.cpp core/verify/rounding.hpp
-including 1 core/verify/verifier.cpp core/motion/law/trajectory.hpp
+including 1 core/verify/law/verifier.cpp core/motion/law/trajectory.hpp
 including 1 core/verify/bound/lower_bound.cpp core/motion/acceleration/acceleration_limited.hpp
-including 1 core/motion/jerk/solver.cpp core/verify/verifier.hpp
+including 1 core/motion/jerk/solver.cpp core/verify/law/verifier.hpp
 including 1 core/motion/profile/profile.cpp core/motion/grid/grid.hpp
 including 1 core/geometry/region/region.hpp core/winding/margin.hpp
-including 1 core/contour/contour.hpp core/plan/contour_plan.hpp
+including 1 core/contour/contour.hpp core/plan/contour/contour_plan.hpp
 including 1 api/documents/job.cpp core/motion/jerk/jerk_limited.hpp
 including 1 api/kinds/fill_factor/fill_factor.cpp api/kinds/winding/winding.hpp
 including 1 api/kinds/probe_path/probe_path.cpp core/winding/wire.hpp
 including 0 api/kinds/winding/winding.cpp api/problem.hpp
-including 1 server/http/router.cpp core/plan/contour_plan.hpp
+including 1 server/http/router.cpp core/plan/contour/contour_plan.hpp
 including 1 server/store/codec.cpp server/http/router.hpp
 # A folder's own headers without those below it.
 including 0 core/redundant/iterative/iterative.cpp core/redundant/coarse_fine.hpp
@@ -44,7 +44,7 @@ including 1 core/redundant/iterative/iterative.cpp core/redundant/known/split_pa
 # Libraries.
 including 0 core/cam/law_table.cpp '<Eigen/Dense>'
 including 1 core/contour/builder.cpp '<Eigen/Dense>'
-including 1 core/plan/contour_plan.cpp '<nlohmann/json.hpp>'
+including 1 core/plan/contour/contour_plan.cpp '<nlohmann/json.hpp>'
 including 1 core/base/progress.cpp '<pthread.h>'
 including 0 core/base/progress.cpp '<vector>'
 # A folder that belongs to no layer, until it has a list.

@@ -2,71 +2,59 @@
 /// The verdict on a plan: the checks of the independent verifier and the proven bound.
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace bahnwerk {
 
-/// The quantity that a check compares. Where an order is named, the check's `order` is the derivative.
-enum class CheckedQuantity {
-  named,             ///< a quantity that one kind alone checks: `subject` is its name, `unit` the whole unit
-  axis,              ///< an axis' range (order 0), or its derivative
-  path,              ///< the derivative along the tool's path
-  feed,              ///< the speed along the path in blocks of one feed, which is the limit
-  joint_step,        ///< the step of an axis' derivative where segments meet
-  corner_rest,       ///< the speed in corners and at rests
-  cusp_rest,         ///< the speed in cusps
-  start_rest,        ///< the speed at the beginning
-  end_rest,          ///< the speed at the end
-  continuity,        ///< the step of a derivative where pieces of the motion meet
-  time_continuity,   ///< the gap in time where pieces meet
-  duration,          ///< equal durations of motions
-  bound,             ///< a plan is not better than its bound
-  segments,          ///< pieces stay in their segments
-  forward,           ///< the motion never moves backwards
-  coverage,          ///< the whole path is driven
-  path_distance,     ///< distance of the law's places from the path
-  arc_length,        ///< two quadratures agree
-  block_order,       ///< blocks are those of the contour
-  deviation,         ///< distance of the path from the contour
-  dwell,             ///< duration of a requested rest
-  stroke,            ///< the position of a fine axis
-  centred_start,     ///< a fine axis' position at the beginning
-  centred_end,       ///< a fine axis' position at the end
-  chord_error,       ///< distance of the chord between rows from the path
-  half_speed_feed,   ///< the speed in curves
-  tip_position,      ///< forward kinematics of the rows against the path
-  tip_angle,         ///< direction by forward kinematics against the path
-  clearance,         ///< the tool's distance from obstacles: at least the limit
-  pull,              ///< the pull of the wire
-  slack,             ///< the least pull: at least the limit
-  wire_overlap,      ///< overlap of wires beyond the allowed one
-  boundary_overlap,  ///< overlap of wires with the slot's boundary
-  wires_missing,     ///< the count of wires against the stated one
-  rows_count,        ///< the number of rows, and presence of all columns
-  rows_time,         ///< the time span of the rows
-  rows_path,         ///< column s
-  rows_speed,        ///< column v
-  rows_forward,      ///< s never decreases
-  rows,              ///< columns of positions (order 0) and derivatives
-  rows_end,          ///< the last row
-  rows_end_rest,     ///< the last row's speeds
-  rows_labels,       ///< mode and block
-  rows_sum,          ///< coarse + fine = head, per order
-  rows_stroke,       ///< fine positions
-  rows_fine,         ///< fine derivatives
-  rows_pose,         ///< columns of the pose
-  axis_differences,  ///< differences of an axis' rows over the cycle time, by order
-  path_differences,  ///< differences of s
+/// What a check is about: a limit of the document, the path or layout, the motion with its rests, the rows of the
+/// series, the bound.
+enum class CheckGroup { limit, geometry, continuity, setpoints, bound };
+
+/// The quantity that a check compares: a constant of the code that compares it, so that a new one concerns no other.
+struct Quantity {
+  /// In it "%" stands for the derivative that the check's order names, "#" for its limit. Empty: the subject is the
+  /// whole name.
+  std::string_view name = {};
+  CheckGroup group = CheckGroup::limit;
+  bool each = false;  ///< whether each of several subjects (axes, layouts) has such a check
+  bool operator==(const Quantity&) const = default;
 };
+
+/// Quantities that are compared in several places.
+namespace quantity {
+inline constexpr Quantity axis{"%", CheckGroup::limit, true};  ///< an axis' range (order 0), or its derivative
+inline constexpr Quantity path{"path %"};                      ///< the derivative along the tool's path
+/// The speed along the path in blocks of one feed, which is the limit.
+inline constexpr Quantity feed{"path % (feed #)"};
+/// The step of an axis' derivative where segments meet.
+inline constexpr Quantity joint_step{"% step at joints", CheckGroup::continuity};
+inline constexpr Quantity start_rest{"start at rest", CheckGroup::continuity};  ///< the speed at the beginning
+inline constexpr Quantity end_rest{"end at rest", CheckGroup::continuity};      ///< the speed at the end
+/// The step of a derivative where pieces of the motion meet.
+inline constexpr Quantity continuity{"continuity of %", CheckGroup::continuity};
+inline constexpr Quantity rows_count{"setpoints count", CheckGroup::setpoints};  ///< number, presence of all columns
+inline constexpr Quantity rows_time{"setpoints time", CheckGroup::setpoints};    ///< the time span of the rows
+inline constexpr Quantity rows{"setpoints %", CheckGroup::setpoints};            ///< columns of positions, derivatives
+inline constexpr Quantity rows_end{"setpoints end", CheckGroup::setpoints};      ///< the last row
+inline constexpr Quantity rows_pose{"setpoints pose", CheckGroup::setpoints};    ///< columns of the pose
+/// Forward kinematics of the rows against the path.
+inline constexpr Quantity tip_position{"forward kinematics %", CheckGroup::geometry};
+}  // namespace quantity
 
 /// The compared quantity and its unit, as data; api/check_text.hpp makes the texts for people.
 struct Checked {
-  CheckedQuantity quantity = CheckedQuantity::named;
+  Quantity quantity = {};
   int order = 0;             ///< 0 position, 1 velocity, 2 acceleration, 3 jerk, 4 snap
   std::string unit = "mm";   ///< unit of the quantity at order 0; api appends /s, /s² …
   std::string subject = {};  ///< the axis, the group of axes, or the layout that is checked; empty: everything
 };
+
+/// Returns what a check compares that has a name of its own, with its whole unit.
+inline Checked named(CheckGroup group, std::string name, std::string unit) {
+  return {{{}, group}, 0, std::move(unit), std::move(name)};
+}
 
 /// A comparison by the verifier: the true continuous peak of a quantity against its limit.
 struct Check : Checked {
@@ -77,15 +65,15 @@ struct Check : Checked {
 };
 
 /// Returns whether `check` has that quantity, order and subject.
-inline bool is(const Check& check, CheckedQuantity quantity, int order, const std::string& subject = {}) {
+inline bool is(const Check& check, const Quantity& quantity, int order, const std::string& subject = {}) {
   return check.quantity == quantity && check.order == order && check.subject == subject;
 }
 
 /// Returns whether a slower motion has a smaller value: derivatives of axes and along the path, and steps of them.
 inline bool falls_with_speed(const Check& check) {
-  const CheckedQuantity q = check.quantity;
-  return check.order > 0 && (q == CheckedQuantity::axis || q == CheckedQuantity::path || q == CheckedQuantity::feed ||
-                             q == CheckedQuantity::joint_step);
+  const Quantity& q = check.quantity;
+  return check.order > 0 &&
+         (q == quantity::axis || q == quantity::path || q == quantity::feed || q == quantity::joint_step);
 }
 
 /// An excess of a limit that a slower motion does not have.
@@ -109,7 +97,7 @@ struct Verification {
     for (Check& check : more) add(std::move(check));
   }
   /// Returns the check of that quantity, order and subject; nullptr if there is none.
-  const Check* find(CheckedQuantity quantity, int order, const std::string& subject = {}) const {
+  const Check* find(const Quantity& quantity, int order, const std::string& subject = {}) const {
     const auto at = std::find_if(checks.begin(), checks.end(),
                                  [&](const Check& check) { return is(check, quantity, order, subject); });
     return at == checks.end() ? nullptr : &*at;

@@ -10,8 +10,8 @@
 #include "core/motion/law/dwell.hpp"
 #include "core/motion/setpoints/path_setpoints.hpp"
 #include "core/plan/pipeline.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
-#include "core/verify/verifier.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -42,13 +42,14 @@ bool slow_by_the_excess(const Verification& verification, double largest, TimeLa
 
 class PathProblem final : public MotionProblem {
  public:
-  PathProblem(const PathPlanning& planning, Progress progress)
+  PathProblem(const PathPlanning& planning, Progress progress, std::optional<MethodResult> first)
       : planning_(planning),
         progress_(progress),
-        method_(method_row(planning.method, planning.options)),
-        machine_(held_limits(planning.machine, method_, planning.machine.dimension())),
-        moving_(held_limits(planning.machine, method_, planning.moving->axes())),
+        first_(std::move(first)),
+        method_(planning.method),
+        moving_(planning.machine),
         task_{*planning.moving, moving_, planning.feeds, planning.rests, planning.dwells} {
+    moving_.axes.resize(planning.moving->axes());
     for (double& feed : task_.feeds) feed = std::min(feed, limits_along().velocity);
   }
 
@@ -56,8 +57,8 @@ class PathProblem final : public MotionProblem {
                           verified = 0.85;  // parts of the progress at which the stages end
 
   void plan() override {
-    if (method_.reaches_bound || !planning_.only_duration) bound_ = find_bound();
-    take(law_near_the_bound());
+    if (method_.refinement == Refinement::to_bound || !planning_.only_duration) bound_ = find_bound();
+    take(refined_law());
   }
   bool plan_otherwise() override {
     if (attempt_ == attempts) return false;
@@ -73,7 +74,7 @@ class PathProblem final : public MotionProblem {
     slowed_ = factor;
   }
   Verification verify() override {
-    VerifierInput input{*planning_.path, machine_, law_, planning_.feeds_to_verify, planning_.rests};
+    VerifierInput input{*planning_.path, planning_.machine, law_, planning_.feeds_to_verify, planning_.rests};
     input.corner_angle = planning_.options.corner_angle;
     input.check_jerk = method_.limits_jerk;
     input.along = limits_along();
@@ -94,8 +95,8 @@ class PathProblem final : public MotionProblem {
   }
   Rows row_checks(const SetpointSource& setpoints, const Verification& verdict) override {
     Rows rows{{}, 1};
-    rows.checks.push_back(path_row_check(
-        {*planning_.path, machine_, motion_->law(), setpoints, planning_.blocks, planning_.shown, planning_.lag}));
+    rows.checks.push_back(path_row_check({*planning_.path, planning_.machine, motion_->law(), setpoints,
+                                          planning_.blocks, planning_.shown, planning_.lag}));
     if (planning_.row_checks)
       for (auto& check : planning_.row_checks(*motion_, setpoints, verdict)) rows.checks.push_back(std::move(check));
     return rows;
@@ -150,20 +151,17 @@ class PathProblem final : public MotionProblem {
   }
 
   TimeLaw solve() {
-    MethodResult result = refinement_ == 0 && planning_.planned ? std::move(*planning_.planned) : find_law();
+    MethodResult result = first_ ? *std::exchange(first_, std::nullopt) : find_law();
     iterations_ += result.iterations;
     cells_ = result.cells;
     return std::move(result.law);
   }
 
-  /// Plans on finer grids while that is worthwhile. The proven bound of the motion tells whether a grid was fine
-  /// enough. Methods with a braking reserve do not reach the bound: there the change from the grid before tells, and
-  /// the finer law is kept even if it takes longer, because between the nodes of a coarse grid a law may use part of
-  /// its reserve.
-  TimeLaw law_near_the_bound() {
+  /// Plans on finer grids while that is worthwhile, as the method's row tells.
+  TimeLaw refined_law() {
     TimeLaw law = solve();
-    const bool reaches_bound = method_.reaches_bound && planning_.jerk_share == 1;
-    if (!reaches_bound && planning_.method != PlanningMethod::braking_reserve) return law;
+    const bool reaches_bound = method_.refinement == Refinement::to_bound;
+    if (method_.refinement == Refinement::none || (reaches_bound && planning_.jerk_share != 1)) return law;
     bool gained = true;
     for (int attempt = 1; attempt < attempts; ++attempt) {
       const double gap =
@@ -187,8 +185,9 @@ class PathProblem final : public MotionProblem {
 
   const PathPlanning& planning_;
   Progress progress_;
-  MethodRow method_;
-  Machine machine_, moving_;
+  std::optional<MethodResult> first_;
+  const MethodRow& method_;
+  Machine moving_;
   PathTask task_;
   int attempt_ = 1, refinement_ = 0;
   std::size_t cells_ = 0, iterations_ = 0, pieces_ = 0;
@@ -201,8 +200,8 @@ class PathProblem final : public MotionProblem {
 
 }  // namespace
 
-PathPlan plan_along(const PathPlanning& planning, Progress progress) {
-  PathProblem problem(planning, progress);
+PathPlan plan_along(const PathPlanning& planning, Progress progress, std::optional<MethodResult> first) {
+  PathProblem problem(planning, progress, std::move(first));
   PipelineOptions options{planning.machine.cycle_time, planning.max_setpoints};
   MotionPlan plan = verified_motion(problem, options);
   if (!planning.only_duration) plan = served_motion(problem, std::move(plan), progress.part(PathProblem::verified, 1));

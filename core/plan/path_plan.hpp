@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/progress.hpp"
@@ -25,7 +26,7 @@ struct PathPlanning {
   /// Axis path of the moving axes only, if the machine's last axes stand still and limit nothing; otherwise equal to
   /// `path`.
   std::shared_ptr<const AxisPath> moving;
-  Machine machine;
+  Machine machine;            ///< every axis, with the limits that the method keeps (held_limits)
   std::vector<double> feeds;  ///< largest tool speed of each segment for the planner, mm/s; infinite where not limited
   /// The document's feeds of each segment, mm/s, which the verifier checks; equal to `feeds` unless a step in between
   /// changed those.
@@ -33,10 +34,9 @@ struct PathPlanning {
   std::vector<bool>
       rests;  ///< whether the motion rests at the begin of each segment, and at the end of the path (one more entry)
   std::vector<Rest> dwells;  ///< rests of given durations, ordered by segment
-  PlanningMethod method = PlanningMethod::braking_reserve;
+  MethodRow method = method_row(PlanningMethod::braking_reserve);
   MethodOptions options;
   double max_setpoints = 20'000'000;
-  std::shared_ptr<MethodResult> planned;  ///< the method's first law, if it is known already; it is moved out of here
   /// Share of every axis' jerk limit with which the method plans. Verification and bound use the whole limit.
   double jerk_share = 1;
   /// Whether only the duration is needed: no setpoints are made, and the bound is computed only if the method needs it.
@@ -68,15 +68,17 @@ struct PathPlan {
   std::size_t iterations = 0;  ///< passes of the planner over its grid
 };
 
-/// Plans, verifies and samples a motion along a path. The verification covers the motion (core/verify/verifier.hpp),
-/// every setpoint (core/verify/setpoints/setpoint_checks.hpp), and that the duration is not below its bound. The plan
-/// is repeated on a finer grid, at most three times, if the verifier rejects it, or if its method converges to the
-/// bound and the gap is above 5e-6 (for at most 20 000 cells: above 5e-7, while finer grids gain 2e-7; with a braking
-/// reserve while they change the duration by that). The returned plan may still fail verification: see
-/// `verification.passed`. A limit exceeded by rounding only slows the section accordingly.
+/// Plans, verifies and samples a motion along a path. The verification covers the motion
+/// (core/verify/law/verifier.hpp), every setpoint (core/verify/setpoints/setpoint_checks.hpp), and that the duration is
+/// not below its bound. The plan is repeated on a finer grid, at most three times, if the verifier rejects it, or if
+/// its method converges to the bound and the gap is above 5e-6 (for at most 20 000 cells: above 5e-7, while finer grids
+/// gain 2e-7; with a braking reserve while they change the duration by that). The returned plan may still fail
+/// verification: see `verification.passed`. A limit exceeded by rounding only slows the section accordingly.
+///
+/// `first` is the method's law of this path on its first grid, if an earlier stage has planned it.
 ///
 /// Cost: that of the method, about 1 µs per grid cell for verification and bound, and 0.1 to 0.3 µs per setpoint.
 /// Throws InvalidInput, also for a motion of more than max_setpoints, UnreachablePose and Stopped.
-PathPlan plan_along(const PathPlanning& planning, Progress progress);
+PathPlan plan_along(const PathPlanning& planning, Progress progress, std::optional<MethodResult> first = {});
 
 }  // namespace bahnwerk

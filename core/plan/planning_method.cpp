@@ -90,32 +90,29 @@ MethodResult spline(const PathTask& task, const MethodOptions& given, int refine
 }
 
 constexpr MethodRow rows[] = {
-    //  method                             planner    limits_jerk  limits_along  takes_profile  reaches_bound
-    {PlanningMethod::braking_reserve, braking_reserve, false, false, false, false, false},
-    {PlanningMethod::time_optimal, time_optimal, false, false, false, true, false},
-    {PlanningMethod::jerk_limited, jerk_limited, true, true, false, false, false},
-    {PlanningMethod::natural, natural, true, true, false, false, false},
-    {PlanningMethod::constant, constant, true, true, true, false, false},
-    {PlanningMethod::critical_points, critical_points, true, true, true, false, true},
-    {PlanningMethod::spline, spline, true, true, false, false, false},
+    //  method                             planner    limits_jerk  limits_along  takes_profile  refinement
+    //  holds_at_nodes
+    {PlanningMethod::braking_reserve, braking_reserve, false, false, false, Refinement::to_steady, false},
+    {PlanningMethod::time_optimal, time_optimal, false, false, false, Refinement::to_bound, false},
+    {PlanningMethod::jerk_limited, jerk_limited, true, true, false, Refinement::none, false},
+    {PlanningMethod::natural, natural, true, true, false, Refinement::none, false},
+    {PlanningMethod::constant, constant, true, true, true, Refinement::none, false},
+    {PlanningMethod::critical_points, critical_points, true, true, true, Refinement::none, true},
+    {PlanningMethod::spline, spline, true, true, false, Refinement::none, false},
 };
 
 }  // namespace
 
-const MethodRow& method_row(PlanningMethod method) {
-  for (const MethodRow& row : rows)
-    if (row.method == method) return row;
+MethodRow method_row(PlanningMethod method, const MethodOptions& options) {
+  for (MethodRow row : rows) {
+    if (row.method != method) continue;
+    if (row.takes_profile) row.limits_jerk = speed_profile_row(options.profile).limits_jerk;
+    return row;
+  }
   throw std::logic_error("a planning method without a row");
 }
 
-MethodRow method_row(PlanningMethod method, const MethodOptions& options) {
-  MethodRow row = method_row(method);
-  if (row.takes_profile) row.limits_jerk = speed_profile_row(options.profile).limits_jerk;
-  return row;
-}
-
-Machine held_limits(Machine machine, const MethodRow& method, std::size_t axes) {
-  machine.axes.resize(axes);
+Machine held_limits(Machine machine, const MethodRow& method) {
   if (!method.limits_jerk)
     for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
   return machine;

@@ -16,6 +16,15 @@ struct MethodResult {
   std::size_t cells = 0;
 };
 
+/// Whether finer grids are planned although the verifier asks for none.
+enum class Refinement {
+  none,
+  to_bound,  ///< until the duration, which converges to its proven bound, is near it
+  /// Until the duration hardly changes. The finer law is kept even if it takes longer, because between the nodes of a
+  /// coarse grid a law may use part of its reserve.
+  to_steady
+};
+
 struct MethodRow {
   PlanningMethod method;
   /// Returns the time law of the whole path without dwells. Each `refinement` 0, 1 … halves the cell width and reduces
@@ -27,20 +36,17 @@ struct MethodRow {
   bool limits_along;
   /// Whether the option `profile` decides if jerk is limited.
   bool takes_profile;
-  /// Whether its duration converges to the proven bound as the grid is refined, so that refinement is worthwhile.
-  bool reaches_bound;
+  Refinement refinement;
   /// Whether changes of speed keep the limits at the nodes of a grid only; an excess between nodes, on the finest grid,
   /// slows them.
   bool holds_at_nodes;
 };
 
-/// Returns a method's row. Throws std::logic_error for a method without a row.
-const MethodRow& method_row(PlanningMethod method);
-/// Returns the row adapted to the options: a profile whose acceleration jumps limits no jerk.
-MethodRow method_row(PlanningMethod method, const MethodOptions& options);
+/// Returns a method's row with these options: a profile whose acceleration jumps limits no jerk. Throws
+/// std::logic_error for a method without a row.
+MethodRow method_row(PlanningMethod method, const MethodOptions& options = {});
 
-/// Returns the limits of the machine's first `axes` axes that a method keeps; jerk is unlimited if the method does not
-/// limit it.
-Machine held_limits(Machine machine, const MethodRow& method, std::size_t axes);
+/// Returns the limits that a method keeps: jerk is unlimited if the method does not limit it.
+Machine held_limits(Machine machine, const MethodRow& method);
 
 }  // namespace bahnwerk

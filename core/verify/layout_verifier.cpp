@@ -103,7 +103,9 @@ void raise(Check& check, double value, double at) {
 }  // namespace
 
 Verification verify_layouts(const Region& usable_area, std::span<const LayoutToVerify> layouts, Progress progress) {
-  using enum CheckedQuantity;
+  constexpr Quantity wire_overlap{"overlap beyond what is allowed", CheckGroup::geometry, true},
+      boundary_overlap{"overlap with the boundary", CheckGroup::geometry, true},
+      wires_missing{"wires missing", CheckGroup::geometry, true};
   Verification verdict;
   const auto check = [&](const Checked& what, double limit) -> Check& {
     for (Check& c : verdict.checks)
@@ -137,7 +139,7 @@ Verification verify_layouts(const Region& usable_area, std::span<const LayoutToV
       at_bound = layout.copper;
     }
   }
-  if (!layouts.empty()) raise(check({bound, 0, "1"}, 0), beyond_bound, at_bound);
+  if (!layouts.empty()) raise(check({{"bound", CheckGroup::bound}, 0, "1"}, 0), beyond_bound, at_bound);
   verdict.passed = std::all_of(verdict.checks.begin(), verdict.checks.end(), [](const Check& c) { return c.passed; });
   return verdict;
 }

@@ -63,12 +63,4 @@ inline Check make_check(Checked what, const Strained& worst) {
   return make_check(std::move(what), worst.limit, worst.value, worst.at, worst.value <= worst.limit);
 }
 
-/// Makes a check that only one kind has, by its name.
-inline Check make_check(std::string name, std::string unit, double limit, const Worst& worst) {
-  return make_check(Checked{CheckedQuantity::named, 0, std::move(unit), std::move(name)}, limit, worst);
-}
-inline Check make_check(std::string name, std::string unit, const Strained& worst) {
-  return make_check(Checked{CheckedQuantity::named, 0, std::move(unit), std::move(name)}, worst);
-}
-
 }  // namespace bahnwerk::verify

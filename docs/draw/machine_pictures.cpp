@@ -7,7 +7,7 @@
 #include "core/machine/polar_machine.hpp"
 #include "core/machine/scara_machine.hpp"
 #include "core/motion/law/path_motion.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "docs/draw/chart.hpp"
 #include "docs/draw/colours.hpp"
 #include "docs/draw/map.hpp"

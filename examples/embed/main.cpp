@@ -2,7 +2,7 @@
 #include <bahnwerk/base/errors.hpp>
 #include <bahnwerk/base/read_rows.hpp>
 #include <bahnwerk/contour/builder.hpp>
-#include <bahnwerk/plan/contour_plan.hpp>
+#include <bahnwerk/plan/contour/contour_plan.hpp>
 #include <cstdio>
 
 using namespace bahnwerk;

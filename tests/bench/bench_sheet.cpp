@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/progress.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/motion/sheet.hpp"
 
 namespace bahnwerk {

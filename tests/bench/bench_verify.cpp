@@ -10,8 +10,8 @@
 #include "core/base/progress.hpp"
 #include "core/motion/setpoints/contour_setpoints.hpp"
 #include "core/verify/bound/lower_bound.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
-#include "core/verify/verifier.hpp"
 #include "tests/core/motion/setpoints/slowed.hpp"
 #include "tests/core/verify/reference.hpp"
 

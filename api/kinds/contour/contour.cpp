@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "api/check_text.hpp"
 #include "api/kinds/contour/coarse_fine.hpp"
 #include "api/kinds/contour/contour_scene.hpp"
 #include "api/kinds/kind_frame.hpp"
@@ -21,10 +22,10 @@
 #include "core/machine/degrees.hpp"
 #include "core/plan/coarse_fine/axis_drawing.hpp"
 #include "core/plan/contour/contour_axes.hpp"
+#include "core/plan/contour/contour_drawing.hpp"
 #include "core/plan/contour/contour_faults.hpp"
+#include "core/plan/contour/contour_outline.hpp"
 #include "core/plan/contour/driven_segments.hpp"
-#include "core/plan/contour_drawing.hpp"
-#include "core/plan/contour_outline.hpp"
 #include "core/plan/path_plan.hpp"
 #include "core/plan/planning_method.hpp"
 
@@ -38,14 +39,31 @@ constexpr std::size_t max_outline = 5000;          // vertices
 constexpr std::size_t max_blocks_listed = 10'000;  // GET …/blocks has all
 constexpr std::size_t max_joints_listed = 1000;    // a fine polyline passes as many as it has points
 
+/// Returns "feed", "velocity x", "acceleration y", "path jerk", "dwell"; empty if there is none.
+std::string name(const ActiveLimit& limit) {
+  switch (limit.kind) {
+    case ActiveLimit::Kind::none:
+      return {};
+    case ActiveLimit::Kind::feed:
+      return "feed";
+    case ActiveLimit::Kind::axis:
+      return std::string(text::derivative(limit.order)) + " " + limit.axis;
+    case ActiveLimit::Kind::path:
+      return std::string("path ") + text::derivative(limit.order);
+    case ActiveLimit::Kind::dwell:
+      return "dwell";
+  }
+  return {};
+}
+
 /// Returns text such as "line 1204: 14 % of the time, acceleration y, stops".
 std::string sentence(const SlowLine& line, const char* what) {
   char text[160];
   std::snprintf(text, sizeof text, "%s %zu: %.*f %% of the time", what, line.source, line.share < 0.1 ? 1 : 0,
                 100 * line.share);
   std::string all = text;
-  if (!line.limit.empty()) all += ", " + line.limit;
-  if (line.stops && line.limit != "dwell") all += ", stops";
+  if (const std::string limit = name(line.limit); !limit.empty()) all += ", " + limit;
+  if (line.stops && line.limit.kind != ActiveLimit::Kind::dwell) all += ", stops";
   return all;
 }
 
@@ -53,16 +71,18 @@ std::string sentence(const SlowLine& line, const char* what) {
 ordered_json slowest(const ContourPlan& plan, bool program) {
   ordered_json list = ordered_json::array();
   const char* const what = program ? "line" : "segment";
-  for (const SlowLine& line : plan.slow_lines)
+  for (const SlowLine& line : plan.slow_lines) {
+    const std::string limit = name(line.limit);
     list.push_back({{what, line.source},
                     {"time", line.time},
                     {"share", line.share},
                     {"length", line.length},
                     {"feed", std::isfinite(line.feed) ? ordered_json(line.feed) : ordered_json()},
-                    {"limit", line.limit.empty() ? ordered_json() : ordered_json(line.limit)},
+                    {"limit", limit.empty() ? ordered_json() : ordered_json(limit)},
                     {"limit_share", line.limit_share},
                     {"stops", line.stops},
                     {"text", sentence(line, what)}});
+  }
   return list;
 }
 
@@ -274,14 +294,6 @@ Planned plan_with_fine_axes(const ContourJob& job, Progress progress) {
   return planned;
 }
 
-/// Returns the machine with the limits that the job's method holds, in the units of setpoints.
-Machine limits_held(const ContourJob& job) {
-  Machine machine = in_degrees(job.head);
-  if (!method_row(job.planning.method).limits_jerk)
-    for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
-  return machine;
-}
-
 /// Returns all coarse and fine axes with their limits, named as their columns are.
 Machine stage_axes(const CoarseFineMachine& machine) {
   Machine axes;
@@ -343,7 +355,7 @@ struct ContourKind {
     Limits along = job.planning.along;
     along.velocity = unlimited;  // it is part of the feeds
     if (!job.coarse_fine) {
-      declare_axes(facts.limits, limits_held(job));
+      declare_axes(facts.limits, held_limits(in_degrees(job.head), method_row(job.planning.method)));
       declare_path(facts.limits, along);
       return facts;
     }

@@ -5,7 +5,7 @@
 #include "api/kind.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/tool_machine.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk::api::contour {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "core/plan/contour_outline.hpp"
+#include "core/plan/contour/contour_outline.hpp"
 
 namespace bahnwerk::api::contour {
 namespace {

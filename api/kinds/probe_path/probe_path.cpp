@@ -12,7 +12,7 @@
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "core/plan/contour_outline.hpp"
+#include "core/plan/contour/contour_outline.hpp"
 #include "core/plan/probe/probe_drawings.hpp"
 
 namespace bahnwerk::api::probe_path {

@@ -39,7 +39,7 @@ class Search {
     best_.cycle_duration = *problem.cycle_duration;
   }
 
-  LawSolution run() {
+  Expected<LawSolution, NoLaw> run() {
     // The source's order first; where it ends without a law, the last choice is replaced by another one.
     std::vector<Conversions> way;
     std::vector<Step> steps;
@@ -57,7 +57,7 @@ class Search {
       steps.push_back(step(next));
       way.push_back(std::move(next));
     }
-    if (way.empty()) fail();
+    if (way.empty()) return none();
     solved_sections_ = 0;
     explore(way.back());
     source_.conversions = way.back();
@@ -70,7 +70,7 @@ class Search {
         explore(state);
       }
     }
-    if (!std::isfinite(best_objective_)) fail();
+    if (!std::isfinite(best_objective_)) return none();
     finish();
     return std::move(best_);
   }
@@ -237,11 +237,8 @@ class Search {
     best_.distributions = compared;
   }
 
-  [[noreturn]] void fail() const {
-    if (broken_limits_.empty())
-      throw Infeasible(
-          "no order of turning violated ranges into values ends with a law that keeps all of them: widen a range, or "
-          "use method \"optimal\"");
+  NoLaw none() const {
+    if (broken_limits_.empty()) return NoLaw::ranges;
     std::vector<InputFault> faults;
     for (const auto& [section, order] : broken_limits_)
       faults.push_back({{"points", std::to_string(section), "section", order_name(order)},
@@ -304,8 +301,8 @@ void check_spline(const MotionLawProblem& problem, const std::vector<double>& at
   throw singular_faults(problem, *singular);
 }
 
-LawSolution solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at, Progress progress,
-                             const ActiveSetOptions& options) {
+Expected<LawSolution, NoLaw> solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at,
+                                              Progress progress, const ActiveSetOptions& options) {
   return Search(problem, at, progress, options).run();
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/expected.hpp"
 #include "core/base/progress.hpp"
 #include "core/cam/solution.hpp"
 #include "core/cam/spline/spline_system.hpp"
@@ -27,9 +28,15 @@ SplineTask spline_task(const MotionLawProblem& problem, const std::vector<double
 /// singular whatever the distribution.
 void check_spline(const MotionLawProblem& problem, const std::vector<double>& at);
 
-/// `at`: one angle per point. Throws InvalidInput as check_spline() does, and Infeasible where no order of conversion
-/// ends with all ranges kept, or section limits do not hold: this method does not know them.
-LawSolution solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at, Progress progress,
-                             const ActiveSetOptions& options = {});
+/// Why there is no law.
+enum class NoLaw {
+  ranges,  ///< no order of conversion ends with all ranges kept
+  angles   ///< angles that may be chosen: none in their ranges has a law
+};
+
+/// `at`: one angle per point. Throws InvalidInput as check_spline() does, and where section limits do not hold: this
+/// method does not know them.
+Expected<LawSolution, NoLaw> solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at,
+                                              Progress progress, const ActiveSetOptions& options = {});
 
 }  // namespace bahnwerk::cam

@@ -9,7 +9,6 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "core/cam/active_set/active_set.hpp"
 #include "core/numeric/random.hpp"
 
 namespace bahnwerk::cam {
@@ -24,16 +23,16 @@ class AngleSearch {
     }
   }
 
-  LawSolution run() {
+  Expected<LawSolution, NoLaw> run() {
     std::vector<Place> places = grid();
-    if (!fault_.empty() && places.empty()) throw Infeasible(fault_);
+    if (places.empty()) return why_not_.value_or(NoLaw::angles);
     std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.objective < b.objective; });
     if (places.size() > starts) places.resize(starts);
     Place best = places.front();
     for (const Place& start : places)
       if (Place found = compass(start); found.objective < best.objective) best = std::move(found);
-    LawSolution solution = solve_active_set(problem_, angles(best.share), progress_);
-    solution.systems += systems_;
+    Expected<LawSolution, NoLaw> solution = solve_active_set(problem_, angles(best.share), progress_);
+    if (solution) solution->systems += systems_;
     return solution;
   }
 
@@ -67,11 +66,12 @@ class AngleSearch {
     quick.source_order_only = true;
     quick.distributions = 8;
     try {
-      LawSolution found = solve_active_set(problem_, at, progress_, quick);
-      systems_ += found.systems;
-      return found.value.objective;
-    } catch (const Infeasible& none) {
-      if (fault_.empty()) fault_ = none.what();
+      const Expected<LawSolution, NoLaw> found = solve_active_set(problem_, at, progress_, quick);
+      if (found) {
+        systems_ += found->systems;
+        return found->value.objective;
+      }
+      if (!why_not_) why_not_ = found.reason();
     } catch (const InvalidInput&) {
       if (!retried_) first_ = std::current_exception(), retried_ = true;
     }
@@ -111,7 +111,6 @@ class AngleSearch {
       }
     }
     if (out.empty() && first_) std::rethrow_exception(first_);
-    if (out.empty() && fault_.empty()) fault_ = "no choice of angles in their ranges has a law";
     return out;
   }
 
@@ -140,14 +139,14 @@ class AngleSearch {
   std::vector<double> at_;
   std::vector<std::size_t> free_;
   std::size_t laws_ = 0, systems_ = 0;
-  std::string fault_;
+  std::optional<NoLaw> why_not_;
   std::exception_ptr first_;
   bool retried_ = false;
 };
 
 }  // namespace
 
-LawSolution plan_active_set(const MotionLawProblem& problem, Progress progress) {
+Expected<LawSolution, NoLaw> plan_active_set(const MotionLawProblem& problem, Progress progress) {
   if (problem.has_free_angles()) return AngleSearch(problem, progress).run();
   std::vector<double> at;
   for (const MotionPoint& point : problem.points) at.push_back(point.at.min);

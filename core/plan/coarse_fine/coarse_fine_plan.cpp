@@ -12,11 +12,13 @@
 #include "core/plan/coarse_fine/fitted_motion.hpp"
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
+#include "core/plan/contour/stopping_time.hpp"
 #include "core/plan/pipeline.hpp"
 #include "core/redundant/joint/energy.hpp"
 #include "core/redundant/methods/candidates.hpp"
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "core/verify/redundant/centre_checks.hpp"
 #include "core/verify/redundant/coarse_fine_checks.hpp"
 #include "core/verify/redundant/stroke_bound.hpp"
@@ -24,7 +26,6 @@
 #include "core/verify/redundant/sum_checks.hpp"
 #include "core/verify/setpoints/motion_setpoint_checks.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
-#include "core/verify/verifier.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -82,9 +83,10 @@ class CoarseFineProblem final : public MotionProblem {
   static constexpr double planned = 0.7, verified = 0.85;  // where the stages end
 
   void plan() override {
-    prepare();
-    find_bound();
-    RedundancyTask task{path_.moving, contour_, machine_, path_.feeds, path_.rests, path_.dwells, bound_.value};
+    choose_contour();
+    raise_bound();
+    RedundancyTask task{driven_.path.moving, driven_.contour,     machine_,           driven_.path.feeds,
+                        driven_.path.rests,  driven_.path.dwells, driven_.bound.value};
     task.machine.axes.resize(moving_);
     RedundancyOptions options = options_;
     options.corner_angle = planning_.corner_angle;
@@ -102,21 +104,21 @@ class CoarseFineProblem final : public MotionProblem {
   double duration() const override { return result_.head->duration() * stretch_; }
 
   void slow(double factor) override {
-    const std::vector<double> still(machine_.axes.size() - moving_, contour_->height);
+    const std::vector<double> still(machine_.axes.size() - moving_, driven_.contour->height);
     factor_ = factor * stretch_;
     cycles_factor_ = factor;
-    plan_.head = std::make_shared<const PathMotion>(path_.path, result_.head->law().slowed(factor_));
+    plan_.head = std::make_shared<const PathMotion>(driven_.path.path, result_.head->law().slowed(factor_));
     plan_.coarse = std::make_shared<const FittedMotion>(result_.coarse, factor_, plan_.head->law(), still,
                                                         machine_.limits_jerk() ? 2 : 1);
   }
 
   Verification verify() override {
     const double between = planned + 0.5 * (verified - planned);
-    VerifierInput head{*path_.path, head_, plan_.head->law(), path_.feeds_to_verify, path_.rests};
+    VerifierInput head{*driven_.path.path, head_, plan_.head->law(), driven_.path.feeds_to_verify, driven_.path.rests};
     head.corner_angle = planning_.corner_angle;
     head.check_jerk = machine_.limits_jerk();
     Verification verdict = verify_motion(head, progress_.part(planned, between));
-    CoarseFineToVerify split{*path_.path, plan_.head->law(), *plan_.coarse, coarse_axes_, fine_axes_};
+    CoarseFineToVerify split{*driven_.path.path, plan_.head->law(), *plan_.coarse, coarse_axes_, fine_axes_};
     split.check_jerk = machine_.limits_jerk();
     split.cycle_time = machine_.cycle_time;
     verdict.add(coarse_fine_checks(split, progress_.part(between, verified)));
@@ -141,12 +143,13 @@ class CoarseFineProblem final : public MotionProblem {
   }
 
   std::unique_ptr<SetpointSource> setpoints(std::size_t cycles) override {
-    return std::make_unique<CoarseFineSetpoints>(plan_.head, plan_.coarse, *contour_, head_, cycles);
+    return std::make_unique<CoarseFineSetpoints>(plan_.head, plan_.coarse, *driven_.contour, head_, cycles);
   }
 
   Rows row_checks(const SetpointSource& setpoints, const Verification&) override {
     Rows rows{{}, 3};
-    rows.checks.push_back(path_row_check({*path_.path, head_, plan_.head->law(), setpoints, contour_.get()}));
+    rows.checks.push_back(
+        path_row_check({*driven_.path.path, head_, plan_.head->law(), setpoints, driven_.contour.get()}));
     rows.checks.push_back(motion_row_check({*plan_.coarse, coarse_machine_, setpoints, "coarse"}));
     rows.checks.push_back(sum_row_check({setpoints, head_.axes, coarse_axes_, fine_axes_}));
     return rows;
@@ -154,16 +157,17 @@ class CoarseFineProblem final : public MotionProblem {
 
   std::vector<Check> more_checks() override {
     std::vector<Check> list;
-    if (!given_->rests.empty()) list.push_back(rest_check(*given_, *contour_, plan_.head->law(), progress_.part(1, 1)));
+    if (!given_->rests.empty())
+      list.push_back(rest_check(*given_, *driven_.contour, plan_.head->law(), progress_.part(1, 1)));
     if (blended())
-      for (Check& check : tube_checks(*given_, *contour_, planning_.blend_tolerance, progress_.part(1, 1)))
+      for (Check& check : tube_checks(*given_, *driven_.contour, planning_.blend_tolerance, progress_.part(1, 1)))
         list.push_back(std::move(check));
     return list;
   }
 
   Bound bound() override {
     bound_chains();
-    return bound_;
+    return driven_.bound;
   }
 
   CoarseFinePlan report(MotionPlan found) {
@@ -173,19 +177,21 @@ class CoarseFineProblem final : public MotionProblem {
     plan.verification = std::move(found.verification);
     plan.bound = std::move(found.bound);
     const TimeLaw& sampled = plan_.head->law();
-    plan.path = contour_;
-    plan.notes = contour_->notes;
-    note_still_axes(*contour_, head_, plan);
+    plan.path = driven_.contour;
+    plan.notes = driven_.contour->notes;
+    plan.notes.insert(plan.notes.end(), notes_.begin(), notes_.end());
+    note_still_axes(*driven_.contour, head_, plan);
     plan.notes.insert(plan.notes.end(), result_.notes.begin(), result_.notes.end());
-    plan.path_length = contour_->path.length();
+    plan.path_length = driven_.contour->path.length();
     plan.iterations = result_.iterations;
     plan.pieces = sampled.pieces().size();
-    report_blocks(*contour_, sampled, cycles_factor_, plan);
-    report_joints(*contour_, moving_, sampled, cycles_factor_, planning_.corner_angle, plan, progress_.part(1, 1));
-    plan.slow_lines = slow_lines(*plan_.head, head_, path_.feeds, {}, slow_lines_listed, progress_.part(1, 1));
+    report_blocks(*driven_.contour, sampled, cycles_factor_, plan);
+    report_joints(*driven_.contour, moving_, sampled, cycles_factor_, planning_.corner_angle, plan,
+                  progress_.part(1, 1));
+    plan.slow_lines = slow_lines(*plan_.head, head_, driven_.path.feeds, {}, slow_lines_listed, progress_.part(1, 1));
     std::vector<SectionGap> sections;
     plan.sections =
-        section_gaps(*path_.path, sampled, cycles_factor_, section_bounds_, progress_.part(1, 1), &sections);
+        section_gaps(*driven_.path.path, sampled, cycles_factor_, driven_.sections, progress_.part(1, 1), &sections);
     plan_.slow_sections = slowest(std::move(sections));
     plan_.fastest = result_.fastest;
     plan_.energy = acceleration_energy(*plan_.coarse);
@@ -193,12 +199,12 @@ class CoarseFineProblem final : public MotionProblem {
     ProgressScope scope(progress_.part(1, 1), "report");
     plan_.rms = rms_accelerations(*plan_.head, *plan_.coarse, scope);
     for (const AxisLimits& axis : coarse_axes_)
-      plan_.peak_coarse_acceleration.push_back(value(CheckedQuantity::axis, 2, axis.name));
+      plan_.peak_coarse_acceleration.push_back(value(quantity::axis, 2, axis.name));
     plan_.trades = std::move(result_.trades);
     plan_.passes = std::move(result_.passes);
     if (!plan_.passes.empty() && plan_.passes.back().peaks.empty()) plan_.passes.back().peaks = peaks();
     for (const SlowedSegment& s : result_.slowed) {
-      const Segment& segment = contour_->path[s.segment];
+      const Segment& segment = driven_.contour->path[s.segment];
       plan_.slowed.push_back({segment.source(), segment.length(), s.feed});
     }
     plan_.slowed_count = std::max(plan_.slowed.size(), result_.slowed_count);
@@ -210,36 +216,58 @@ class CoarseFineProblem final : public MotionProblem {
   }
 
  private:
+  /// A contour that may be driven, with its bound and those of its sections for the head under the summed limits.
+  struct Driven {
+    std::shared_ptr<const Contour> contour;
+    PathPlanning path;
+    Bound bound;
+    std::vector<SectionBound> sections;
+  };
+
   // Ends of the stages in the job's progress.
-  double posed() const { return blended() ? 0.3 : 0.0; }
-  double bounded() const { return posed() + 0.05; }
+  double chosen() const { return blended() ? 0.3 : 0.0; }
+  double bounded() const { return chosen() + 0.05; }
   bool blended() const { return planning_.corner_mode == CornerMode::blend; }
 
-  void prepare() {
+  /// Takes the rounded contour, or the given one with stops at its corners if its bound is less.
+  void choose_contour() {
     ContourPlanning planning = planning_;
     planning.method = machine_.limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
-    PreparedContour prepared_contour =
-        prepare_contour(given_, head_limits(machine_), planning, progress_.part(0, posed()));
-    contour_ = std::move(prepared_contour.driven);
-    path_ = std::move(prepared_contour.path);
-    path_.planned.reset();
-  }
-
-  void find_bound() {
+    const double rounded = 0.5 * chosen();
+    const PreparedContour prepared =
+        prepare_contour(given_, head_limits(machine_), planning, progress_.part(0, rounded));
     moving_head_ = head_, moving_coarse_ = coarse_axes_, moving_fine_ = fine_axes_;
     moving_head_.axes.resize(moving_), moving_coarse_.resize(moving_), moving_fine_.resize(moving_);
-    const PathTask head = head_task();
-    const double between = posed() + 0.8 * (bounded() - posed());
-    bound_ = lower_bound(head, planning_.corner_angle, progress_.part(posed(), between), &section_bounds_);
-    bound_.basis += ", limits of coarse and fine axes summed";
-    const StrokeGain gain =
-        raise_by_stroke({head, moving_coarse_, moving_fine_}, section_bounds_, progress_.part(between, bounded()));
-    bound_.value += gain.duration;
-    if (gain.sections > 0)
-      bound_.basis += "; the way of the coarse axes in " + std::to_string(gain.sections) + " sections";
+    const auto drive = [&](const std::shared_ptr<const Contour>& contour, Progress progress) {
+      driven_ = {contour, path_planning(prepared, contour, planning), {}, {}};
+      driven_.bound = lower_bound(head_task(), planning.corner_angle, progress, &driven_.sections);
+    };
+    if (!prepared.rounded) return drive(given_, progress_.part(chosen(), bounded()));
+    drive(prepared.rounded, progress_.part(rounded, chosen()));
+    ProgressScope scope(progress_.part(chosen(), chosen()), "planning");
+    const auto axes = prepared.axes->along(given_).moving;
+    const StoppingTime stopping(*given_, *axes, moving_head_, planning.corner_angle);
+    if (driven_.bound.value <= given_->dwell() + stopping.least(0, given_->path.size(), scope)) return;
+    Driven other = std::exchange(driven_, {});
+    drive(given_, progress_.part(chosen(), bounded()));
+    if (driven_.bound.value < other.bound.value)
+      notes_.emplace_back("driven as given, with stops at its corners: rounded it would be slower");
+    else
+      driven_ = std::move(other);
   }
 
-  PathTask head_task() const { return {*path_.moving, moving_head_, path_.feeds, path_.rests, path_.dwells}; }
+  void raise_bound() {
+    driven_.bound.basis += ", limits of coarse and fine axes summed";
+    const StrokeGain gain = raise_by_stroke({head_task(), moving_coarse_, moving_fine_}, driven_.sections,
+                                            progress_.part(bounded(), bounded()));
+    driven_.bound.value += gain.duration;
+    if (gain.sections > 0)
+      driven_.bound.basis += "; the way of the coarse axes in " + std::to_string(gain.sections) + " sections";
+  }
+
+  PathTask head_task() const {
+    return {*driven_.path.moving, moving_head_, driven_.path.feeds, driven_.path.rests, driven_.path.dwells};
+  }
 
   /// Adds the gain of chains of sections (stroke_chains.hpp) where sections take longer than their bounds. A motion
   /// that is slower on purpose gives no indication where to look.
@@ -247,12 +275,12 @@ class CoarseFineProblem final : public MotionProblem {
     const bool fastest =
         options_.method == RedundancyMethod::joint && options_.smoothness == 0 && options_.stretch <= 1;
     if (!fastest) return;
-    const std::vector<double> times = section_times(plan_.head->law(), 1, section_bounds_);
+    const std::vector<double> times = section_times(plan_.head->law(), 1, driven_.sections);
     const double gain =
-        gain_of_chains({head_task(), moving_coarse_, moving_fine_}, section_bounds_, times, progress_.part(1, 1));
+        gain_of_chains({head_task(), moving_coarse_, moving_fine_}, driven_.sections, times, progress_.part(1, 1));
     if (!(gain > 0)) return;
-    bound_.value += gain;
-    bound_.basis += "; sections with their neighbours";
+    driven_.bound.value += gain;
+    driven_.bound.basis += "; sections with their neighbours";
   }
 
   /// Takes the next plan of the list. Returns false, leaving the plan at hand, if there is none.
@@ -263,7 +291,7 @@ class CoarseFineProblem final : public MotionProblem {
     return true;
   }
 
-  double value(CheckedQuantity quantity, int order, const std::string& axis) {
+  double value(const Quantity& quantity, int order, const std::string& axis) {
     const Check* check = plan_.contour.verification.find(quantity, order, axis);
     return check == nullptr ? 0 : check->value;
   }
@@ -271,11 +299,11 @@ class CoarseFineProblem final : public MotionProblem {
   /// Reports the figures of the motion that is sampled, as verified.
   std::vector<RedundancyPeaks> peaks() {
     std::vector<RedundancyPeaks> list;
-    using enum CheckedQuantity;
     for (const CoarseFineAxis& one : machine_.axes) {
       const std::string coarse = one.name + "c", fine = one.name + "f";
-      list.push_back({value(stroke, 0, fine), value(axis, 1, coarse), value(axis, 2, coarse), value(axis, 1, fine),
-                      value(axis, 2, fine)});
+      list.push_back({value(quantity::stroke, 0, fine), value(quantity::axis, 1, coarse),
+                      value(quantity::axis, 2, coarse), value(quantity::axis, 1, fine),
+                      value(quantity::axis, 2, fine)});
     }
     return list;
   }
@@ -286,19 +314,18 @@ class CoarseFineProblem final : public MotionProblem {
   Progress progress_;
   Machine head_;  // what head, coarse and fine axes are held to
   std::vector<AxisLimits> coarse_axes_, fine_axes_;
-  std::shared_ptr<const Contour> given_, contour_;
+  std::shared_ptr<const Contour> given_;
+  Driven driven_;
   std::size_t moving_ = 0;
-  PathPlanning path_;
+  std::vector<std::string> notes_;
   Machine moving_head_;  // the axes that move, from which bounds follow
   std::vector<AxisLimits> moving_coarse_, moving_fine_;
-  std::vector<SectionBound> section_bounds_;
   Machine coarse_machine_;
   std::optional<PlanChoice> choice_;
   RedundancyResult result_;
   Verification verdict_;                   // on the plan at hand
   double stretch_ = 1;                     // on top of what the planner found
   double factor_ = 1, cycles_factor_ = 1;  // that the motion was slowed by, and the part of it for whole cycles
-  Bound bound_;
   CoarseFinePlan plan_;
 };
 

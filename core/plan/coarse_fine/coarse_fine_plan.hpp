@@ -9,7 +9,7 @@
 #include "core/motion/axes/motion.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/plan/coarse_fine/rms.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "core/redundant/coarse_fine.hpp"
 #include "core/redundant/redundancy.hpp"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/drawing/panel.hpp"
 #include "core/drawing/svg.hpp"
+#include "core/plan/trial.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -78,18 +78,13 @@ StudiedMachine studied(double value, const Contour& contour, const CoarseFineMac
                        const ContourPlanning& planning, const RedundancyOptions& options, Progress progress) {
   StudiedMachine result;
   result.value = value;
-  try {
-    const CoarseFinePlan plan = plan_coarse_fine(contour, machine, planning, options, progress);
-    if (plan.contour.verification.passed)
-      result.duration = plan.contour.duration;
-    else
-      fail(plan.contour.verification, result);
-  } catch (const Stopped&) {
-    throw;
-  } catch (const PlanningError& e) {
-    // No plan exists with this machine, which is a valid answer.
-    result.note = std::string("nothing can be planned: ") + e.what();
-  }
+  const auto plan = trial([&] { return plan_coarse_fine(contour, machine, planning, options, progress); });
+  if (!plan)
+    result.note = "nothing can be planned: " + plan.reason();
+  else if (plan->contour.verification.passed)
+    result.duration = plan->contour.duration;
+  else
+    fail(plan->contour.verification, result);
   return result;
 }
 

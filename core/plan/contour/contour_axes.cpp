@@ -98,7 +98,7 @@ void show(const ContourAxes& axes, const Machine& machine, Verification& verific
   if (axes.shown().empty()) return;
   for (Check& check : verification.checks) {
     double factor = 1;
-    if (check.quantity == CheckedQuantity::axis)
+    if (check.quantity == quantity::axis)
       for (std::size_t k = 0; k < machine.dimension(); ++k)
         if (check.subject == machine.axes[k].name) factor = axes.shown()[k];
     if (check.unit == "rad") check.unit = "deg", factor = degrees;

@@ -7,7 +7,7 @@
 #include "core/base/errors.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/tool_machine.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 

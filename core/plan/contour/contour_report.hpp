@@ -8,7 +8,7 @@
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/axis_path.hpp"
 #include "core/motion/law/time_law.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 

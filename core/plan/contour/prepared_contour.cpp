@@ -1,44 +1,38 @@
 #include "core/plan/contour/prepared_contour.hpp"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
-#include "core/contour/blend.hpp"
-#include "core/plan/contour/rounding_choice.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 
 namespace bahnwerk {
 
 PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
                                 const ContourPlanning& planning, Progress progress) {
-  constexpr double rounded = 0.2;  // part of the progress at which rounding ends
-  PreparedContour posed{given, std::make_shared<const ContourAxes>(given, machine), {}};
-  const ContourAxes& axes = *posed.axes;
-  PathPlanning& path = posed.path;
-  if (planning.corner_mode == CornerMode::blend) {
-    const MethodRow& method = method_row(planning.method);
-    const Machine held = held_limits(axes.machine(), method, axes.moved());
-    std::vector<BlendSection> sections;
-    auto blended = std::make_shared<const Contour>(blend(*given, {planning.blend_tolerance, planning.corner_angle},
-                                                         axes.tool_limits(held), progress.part(0, rounded), &sections));
-    RoundingChoice choice =
-        choose_rounding(given, std::move(blended), sections, axes, held, method, planning, progress.part(rounded, 1));
-    posed.driven = std::move(choice.driven);
-    path.planned = std::make_shared<MethodResult>(std::move(choice.planned));
-  }
-  const ContourAxes::Paths paths = axes.along(posed.driven);
+  const MethodRow method = method_row(planning.method, planning);
+  const auto axes = std::make_shared<const ContourAxes>(given, machine);
+  PreparedContour prepared{given, nullptr, {}, axes, method, held_limits(axes->machine(), method), {}};
+  prepared.moving = prepared.held;
+  prepared.moving.axes.resize(axes->moved());
+  if (planning.corner_mode == CornerMode::blend)
+    prepared.rounded =
+        std::make_shared<const Contour>(blend(*given, {planning.blend_tolerance, planning.corner_angle},
+                                              axes->tool_limits(prepared.moving), progress, &prepared.sections));
+  return prepared;
+}
+
+PathPlanning path_planning(const PreparedContour& prepared, const std::shared_ptr<const Contour>& driven,
+                           const ContourPlanning& planning) {
+  PathPlanning path;
+  const ContourAxes::Paths paths = prepared.axes->along(driven);
   path.path = paths.all, path.moving = paths.moving;
-  path.machine = axes.machine();
-  path.shown = axes.shown();
-  path.feeds = posed.driven->feeds();
-  path.feeds_to_verify = feeds_to_hold(*posed.driven, *given);
-  path.rests = posed.driven->rest_places();
-  path.dwells = posed.driven->rests;
-  path.method = planning.method;
+  path.machine = prepared.held;
+  path.shown = prepared.axes->shown();
+  path.feeds = driven->feeds();
+  path.feeds_to_verify = feeds_to_hold(*driven, *prepared.given);
+  path.rests = driven->rest_places();
+  path.dwells = driven->rests;
+  path.method = prepared.method;
   path.options = planning;
   path.max_setpoints = planning.max_setpoints;
-  return posed;
+  return path;
 }
 
 }  // namespace bahnwerk

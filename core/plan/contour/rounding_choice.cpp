@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "core/base/borrowed.hpp"
 #include "core/base/progress_scope.hpp"
@@ -40,17 +41,14 @@ Part part_of(const TimeLaw& law, std::size_t& next, std::size_t last) {
 
 class Chooser {
  public:
-  Chooser(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
-          const std::vector<BlendSection>& places, const ContourAxes& axes, const Machine& machine,
-          const MethodRow& method, const MethodOptions& options, Progress progress)
-      : given_(given),
-        rounded_(std::move(rounded)),
-        axes_(axes),
-        machine_(machine),
-        method_(method),
+  Chooser(const PreparedContour& prepared, const MethodOptions& options, Progress progress)
+      : prepared_(prepared),
+        given_(prepared.given),
+        rounded_(prepared.rounded),
         options_(options),
         progress_(progress),
         stage_progress_(progress, "planning") {
+    const std::vector<BlendSection>& places = prepared.sections;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const bool last = i + 1 == places.size();
       sections_.push_back({places[i].given,
@@ -65,26 +63,26 @@ class Chooser {
     }
   }
 
-  RoundingChoice run() {
+  DrivenContour run() {
     constexpr double first = 0.9;  // part of the progress
     MethodResult law = plan(rounded_, progress_.part(0, first));
     stage_progress_.done(first);
     find_times(law.law);
-    if (!plan_with_stops(progress_.part(first, 1))) return {std::move(rounded_), std::move(law)};
+    if (!plan_with_stops(progress_.part(first, 1))) return {rounded_, std::move(law)};
     for (Section& s : sections_) {
       s.stops = s.stopping_law.duration > 0 && s.stopping_law.duration < quicker * s.law.duration;
       count_ += s.stops ? 1 : 0;
     }
     law.iterations += stopping_result_.iterations;
-    if (count_ == 0) return {std::move(rounded_), std::move(law)};
+    if (count_ == 0) return {rounded_, std::move(law)};
     return put_together(std::move(law));
   }
 
  private:
   MethodResult plan(const std::shared_ptr<const Contour>& contour, Progress progress) {
-    const std::shared_ptr<const AxisPath> axes = axes_.along(contour).moving;
-    const PathTask task{*axes, machine_, contour->feeds(), contour->rest_places()};
-    return method_.plan(task, options_, 0, progress);
+    const std::shared_ptr<const AxisPath> axes = prepared_.axes->along(contour).moving;
+    const PathTask task{*axes, prepared_.moving, contour->feeds(), contour->rest_places()};
+    return prepared_.method.plan(task, options_, 0, progress);
   }
 
   /// Computes the rounded law's time of every section; a section at whose begin it does not rest belongs to the one
@@ -112,8 +110,8 @@ class Chooser {
   /// Plans the sections that may be quicker with stops, concatenated to a path of their own. Returns false if there are
   /// none.
   bool plan_with_stops(Progress progress) {
-    const std::shared_ptr<const AxisPath> axes = axes_.along(given_).moving;
-    const StoppingTime stopping(*given_, *axes, machine_, options_.corner_angle);
+    const std::shared_ptr<const AxisPath> axes = prepared_.axes->along(given_).moving;
+    const StoppingTime stopping(*given_, *axes, prepared_.moving, options_.corner_angle);
     const std::vector<double> feeds = given_->feeds();
     stopping_.dimension = given_->dimension, stopping_.height = given_->height;
     for (Section& s : sections_) {
@@ -146,7 +144,7 @@ class Chooser {
     path.append_piece(std::shared_ptr<const Curve>(from, &s.curve()), s.source());
   }
 
-  RoundingChoice put_together(MethodResult planned) {
+  DrivenContour put_together(MethodResult planned) {
     auto contour = std::make_shared<Contour>();
     contour->dimension = rounded_->dimension, contour->height = rounded_->height;
     contour->notes = rounded_->notes;
@@ -222,11 +220,8 @@ class Chooser {
     contour.notes.emplace_back(text);
   }
 
-  const std::shared_ptr<const Contour>& given_;
-  std::shared_ptr<const Contour> rounded_;
-  const ContourAxes& axes_;
-  const Machine& machine_;
-  const MethodRow& method_;
+  const PreparedContour& prepared_;
+  const std::shared_ptr<const Contour>&given_, &rounded_;
   const MethodOptions& options_;
   Progress progress_;
   ProgressScope stage_progress_;
@@ -238,11 +233,9 @@ class Chooser {
 
 }  // namespace
 
-RoundingChoice choose_rounding(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
-                               const std::vector<BlendSection>& sections, const ContourAxes& axes,
-                               const Machine& machine, const MethodRow& method, const MethodOptions& options,
-                               Progress progress) {
-  return Chooser(given, std::move(rounded), sections, axes, machine, method, options, progress).run();
+DrivenContour choose_rounding(const PreparedContour& prepared, const MethodOptions& options, Progress progress) {
+  if (!prepared.rounded) return {prepared.given, std::nullopt};
+  return Chooser(prepared, options, progress).run();
 }
 
 }  // namespace bahnwerk

@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "core/plan/contour/prepared_contour.hpp"
+#include "core/plan/contour/rounding_choice.hpp"
+#include "core/plan/trial.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -24,17 +24,15 @@ void scale(Limits& limits, const Change& change) {
 
 std::optional<double> duration(const std::shared_ptr<const Contour>& given, const ToolMachine& machine,
                                const ContourPlanning& planning, Progress progress) {
-  constexpr double posed_at = 0.5;
-  try {
-    PreparedContour posed = prepare_contour(given, machine, planning, progress.part(0, posed_at));
-    posed.path.only_duration = true;
-    const PathPlan plan = plan_along(posed.path, progress.part(posed_at, 1));
-    if (plan.verification.passed) return plan.duration;
-  } catch (const Stopped&) {
-    throw;
-  } catch (const PlanningError&) {
-    // No plan exists with this tolerance or limit, which is a valid answer.
-  }
+  constexpr double prepared_at = 0.1, chosen_at = 0.5;
+  const auto planned = trial([&] {
+    const PreparedContour prepared = prepare_contour(given, machine, planning, progress.part(0, prepared_at));
+    DrivenContour driven = choose_rounding(prepared, planning, progress.part(prepared_at, chosen_at));
+    PathPlanning path = path_planning(prepared, driven.contour, planning);
+    path.only_duration = true;
+    return plan_along(path, progress.part(chosen_at, 1), std::move(driven.law));
+  });
+  if (planned && planned->verification.passed) return planned->duration;
   return {};
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 

@@ -60,11 +60,8 @@ void check_drive(const cam::DriveLimits& drive, LawPlan& plan) {
                            plan.problem.slave_unit + powers[r] + ", the limit is " + number(limits[r]) + " " +
                            plan.problem.slave_unit + powers[r]);
     plan.verification.add(
-        {{CheckedQuantity::named, 0, plan.problem.slave_unit + powers[r], std::string("drive ") + names[r]},
-         limit,
-         peak.value,
-         peak.at,
-         true});
+        {named(CheckGroup::limit, std::string("drive ") + names[r], plan.problem.slave_unit + powers[r]), limit,
+         peak.value, peak.at, true});
   }
 }
 

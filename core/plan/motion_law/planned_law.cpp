@@ -54,17 +54,27 @@ void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Pro
     out.lower = std::min(optimal.solution.bound->objective, out.solution.value.objective);
     out.basis = optimal.solution.bound->basis;
   } catch (const InvalidInput&) {
-  } catch (const Infeasible&) {
   }
+}
+
+const char* text(cam::NoLaw why) {
+  switch (why) {
+    case cam::NoLaw::ranges:
+      return "no order of turning violated ranges into values ends with a law that keeps all of them: widen a range, "
+             "or "
+             "use method \"optimal\"";
+    case cam::NoLaw::angles:
+      return "no choice of angles in their ranges has a law";
+  }
+  return "";
 }
 
 /// The law of `active_set`, where there is one.
 std::optional<cam::LawSolution> compared_law(const cam::MotionLawProblem& problem, Progress progress) {
   if (!problem.cycle_duration || problem.has_free_angles()) return std::nullopt;
   try {
-    return cam::plan_active_set(problem, progress);
+    if (auto law = cam::plan_active_set(problem, progress)) return *std::move(law);
   } catch (const InvalidInput&) {
-  } catch (const Infeasible&) {
   }
   return std::nullopt;
 }
@@ -92,7 +102,9 @@ PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress progress) {
   }
   const Progress solving = progress.part(0, 0.5).named("active_set");
   const Progress bounding = progress.part(0.5, 1).named("bound");
-  out.solution = cam::plan_active_set(problem, solving);
+  auto law = cam::plan_active_set(problem, solving);
+  if (!law) throw Infeasible(text(law.reason()));
+  out.solution = *std::move(law);
   out.lower = mean_velocity_bound(problem);
   out.basis = mean_basis;
   bound_by_optimum(problem, out, bounding);

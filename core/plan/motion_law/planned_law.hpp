@@ -16,7 +16,7 @@ struct PlannedLaw {
   std::optional<cam::LawSolution> source;
 };
 /// `optimal` is never worse than `active_set` where both have the same degree: it takes that law where its J is
-/// smaller.
+/// smaller. Throws InvalidInput, and Infeasible where `active_set` has no law.
 PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress progress);
 
 /// Returns a bound that costs nothing: between two points the mean velocity is reached. 0 if positions are not given.

@@ -3,15 +3,16 @@
 #include <memory>
 #include <variant>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
+#include "core/plan/trial.hpp"
 #include "core/plan/winding/needle_support.hpp"
 #include "core/winding/path/post_passage.hpp"
 
 namespace bahnwerk {
 
-winding::NeedlePath linked_path(const WindingRequest& request, const std::vector<winding::FixedPiece>& support,
-                                LinkObjective objective, Progress progress) {
+Expected<winding::NeedlePath, winding::NoPath> linked_path(const WindingRequest& request,
+                                                           const std::vector<winding::FixedPiece>& support,
+                                                           LinkObjective objective, Progress progress) {
   winding::LinkOptions options = request.links;
   options.objective = objective;
   const auto* stator = std::get_if<winding::StatorPart>(&request.part);
@@ -30,17 +31,12 @@ bool reaches_with_least_bend(const WindingRequest& request, const std::vector<wi
   model.pull.bend_radius = request.wire.outer, model.pull.bending_moment = 0;
   // The stages were reported before.
   const Progress again = progress.part(1, 1).named("machine");
-  try {
-    const std::vector<winding::FixedPiece> fixed = needle_support(request, near, model, again);
-    const winding::NeedlePath path = linked_path(request, fixed, request.links.objective, again);
-    const auto tool = std::make_shared<const PosePath>(pose_path(path.curves()));
-    machine_path({tool, &tool->tool}, tool->orientation, request.configurations);
-    return true;
-  } catch (const UnreachablePose&) {
-    return false;
-  } catch (const Infeasible&) {
-    return false;
-  }
+  const auto fixed = needle_support(request, near, model, again);
+  if (!fixed) return false;
+  const auto path = linked_path(request, *fixed, request.links.objective, again);
+  if (!path) return false;
+  const auto tool = std::make_shared<const PosePath>(pose_path(path->curves()));
+  return bool(trial([&] { return machine_path({tool, &tool->tool}, tool->orientation, request.configurations); }));
 }
 
 }  // namespace bahnwerk

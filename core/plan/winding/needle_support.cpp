@@ -38,6 +38,13 @@ double slot_depth(const WindingRequest& request, const std::vector<FixedPiece>& 
   return deepest(support, [outer](double from_axis) { return outer - from_axis; });
 }
 
+std::string where(const FixedPiece& piece) {
+  const std::string turn = "turn " + std::to_string(piece.turn + 1) + " of coil " + std::to_string(piece.coil + 1);
+  return piece.kind == FixedPiece::Kind::coil_change
+             ? "the way to the next coil after " + turn
+             : std::string(winding::region_in_words(piece.region)) + " of " + turn;
+}
+
 bool same_pose(const winding::NeedlePose& a, const winding::NeedlePose& b) {
   return a.tip.x == b.tip.x && a.tip.y == b.tip.y && a.tip.z == b.tip.z && a.phi == b.phi && a.psi == b.psi;
 }
@@ -55,12 +62,42 @@ std::vector<std::optional<double>> tried_swivels(const WindingRequest& request) 
   return tried;
 }
 
-std::vector<FixedPiece> needle_support(const WindingRequest& request, const std::vector<winding::Turn>& turns,
-                                       winding::NeedleModel model, Progress progress) {
+Expected<std::vector<FixedPiece>, winding::NoSupport> needle_support(const WindingRequest& request,
+                                                                     const std::vector<winding::Turn>& turns,
+                                                                     winding::NeedleModel model, Progress progress) {
   model.shape = request.needle, model.clearance = request.least_clearance;
   if (const auto* stator = std::get_if<StatorPart>(&request.part))
     return winding::support_points(*stator, request.coils, turns, model, progress);
   return winding::support_points(std::get<RotorPart>(request.part), turns, model, progress);
+}
+
+const char* in_words(winding::NoSupport why) {
+  using enum winding::NoSupport;
+  switch (why) {
+    case no_distance:
+      return "two laying regions have no distance: the wire between them has no direction";
+    case short_head:
+      return "a winding head is shorter than the needle's way into it";
+    case no_direction:
+      return "no direction of the needle brings the wire to its place";
+    case beyond_axis:
+      return "the needle's tip would lie beyond the part's axis: the wire leaves its place in a head too steeply, or "
+             "bends in too large a circle for the bore; needed is a part.tool_radius nearer to the slots' base, more "
+             "part.tool_height, or less pull.bend_radius";
+    case backwards:
+      return "the wire would leave the needle backwards along its axis";
+  }
+  return "";
+}
+
+std::string in_words(const winding::NoPath& why, const std::vector<FixedPiece>& support) {
+  const FixedPiece& from = support[why.fixed];
+  if (why.reason == winding::NoPath::Reason::no_length) return where(from) + " has no length";
+  const FixedPiece& to = support[why.fixed + 1];
+  const std::string link = where(from) + " and " + where(to);
+  if (why.reason == winding::NoPath::Reason::cusp) return "no link without a cusp found between " + link;
+  return "no room for a link between " + link +
+         (from.kind == to.kind ? "" : ": raise needle.change_radius or needle.change_height");
 }
 
 void check_depth(const WindingRequest& request, const std::vector<FixedPiece>& support) {

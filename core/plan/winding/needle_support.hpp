@@ -1,8 +1,10 @@
 #pragma once
 /// The support points of a winding plan, and the swivels of the needle with which they are tried.
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/plan/winding/winding_plan.hpp"
 
 namespace bahnwerk {
@@ -14,8 +16,14 @@ std::vector<std::optional<double>> tried_swivels(const WindingRequest& request);
 
 /// Returns the support points of these turns for the needle's model, with the shape and the clearance of the request.
 /// Throws what support_points() throws.
-std::vector<winding::FixedPiece> needle_support(const WindingRequest& request, const std::vector<winding::Turn>& turns,
-                                                winding::NeedleModel model, Progress progress);
+Expected<std::vector<winding::FixedPiece>, winding::NoSupport> needle_support(const WindingRequest& request,
+                                                                              const std::vector<winding::Turn>& turns,
+                                                                              winding::NeedleModel model,
+                                                                              Progress progress);
+
+/// Return the reason as a sentence for people; `support` is that of the path.
+const char* in_words(winding::NoSupport why);
+std::string in_words(const winding::NoPath& why, const std::vector<winding::FixedPiece>& support);
 
 /// Checks that the needle's holder and the swivel stay outside the slot at these support points. Throws InvalidInput
 /// naming needle.length or machine.l_tool where the tip goes deeper into the slot than they are long.

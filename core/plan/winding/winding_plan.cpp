@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "core/base/number_text.hpp"
+#include "core/base/progress.hpp"
 #include "core/motion/feed/curvature_feed.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/numeric/bisection.hpp"
+#include "core/plan/trial.hpp"
 #include "core/plan/winding/bend_reach.hpp"
 #include "core/plan/winding/coil_passes.hpp"
 #include "core/plan/winding/laid_coils.hpp"
@@ -59,24 +61,22 @@ class Planner {
       double most = -unlimited;
       std::optional<WindingPlan> refused;
       std::vector<FixedPiece> before;
-      for (const std::optional<double>& swivel : swivels) try {
+      for (const std::optional<double>& swivel : swivels) {
+        // A smaller swivel may have a plan; without any, the reason is found again below.
+        auto plan = trial([&]() -> std::optional<WindingPlan> {
           support(swivel);
-          if (same_poses(plan_.support, before)) continue;
+          if (same_poses(plan_.support, before)) return std::nullopt;
           before = plan_.support;
           find_path();
           const double found = plan_.clearance.minimum;
-          if (found < request_.least_clearance) {
-            if (found > most) most = found, clearest = swivel;
-            continue;
-          }
-          WindingPlan plan = moved();
-          if (plan.motion.verification.passed) return plan;
-          if (!refused) refused = std::move(plan);
-        } catch (const Stopped&) {
-          throw;
-        } catch (const PlanningError&) {
-          // A smaller swivel may have a plan; without any, the reason is found again below.
-        }
+          if (!(found < request_.least_clearance)) return moved();
+          if (found > most) most = found, clearest = swivel;
+          return std::nullopt;
+        });
+        if (!plan || !*plan) continue;
+        if ((*plan)->motion.verification.passed) return **std::move(plan);
+        if (!refused) refused = *std::move(plan);
+      }
       if (refused) return std::move(*refused);
     }
     support(clearest);
@@ -92,7 +92,9 @@ class Planner {
     winding::NeedleModel model = request_.model;
     model.pivot_limit = swivel;
     const Progress supporting = progress_.part(coils_laid, laid).named("support points");
-    plan_.support = needle_support(request_, plan_.turns, model, supporting);
+    auto found = needle_support(request_, plan_.turns, model, supporting);
+    if (!found) throw Infeasible(in_words(found.reason()));
+    plan_.support = *std::move(found);
     check_depth(request_, plan_.support);
   }
 
@@ -129,18 +131,17 @@ class Planner {
 
   winding::NeedlePath linked_by(LinkObjective objective) {
     const Progress linking = progress_.part(laid, linked).named("link");
-    return linked_path(request_, plan_.support, objective, linking);
+    auto path = linked_path(request_, plan_.support, objective, linking);
+    if (!path) throw Infeasible(in_words(path.reason(), plan_.support));
+    return *std::move(path);
   }
 
   /// Replaces the smoothest links by those that take the least time, if the whole path takes less with them.
   void quicken() {
     const PosePath tool = pose_path(plan_.path.curves());
-    std::shared_ptr<const Kinematics> machine;
-    try {
-      machine = machine_path(tool.tool, tool.orientation, request_.configurations).kinematics;
-    } catch (const UnreachablePose&) {
-      return;  // the fault is reported with its place when the path is final
-    }
+    const auto reached = trial([&] { return machine_path(tool.tool, tool.orientation, request_.configurations); });
+    if (!reached) return;  // the fault is reported with its place when the path is final
+    const std::shared_ptr<const Kinematics>& machine = reached->kinematics;
     const LinkTimer timer(*machine, request_.along, request_.cycle_time, progress_);
     const winding::NeedlePath substitute = linked_by(LinkObjective::control_distance);
     const Progress timing = progress_.part(linked, linked).named("link");
@@ -160,13 +161,8 @@ class Planner {
     plan_.link_times = times;
   }
   static bool within_ranges(const winding::NeedlePath& path, const std::shared_ptr<const Kinematics>& machine) {
-    try {
-      const PosePath tool = pose_path(path.curves());
-      machine_path(tool.tool, tool.orientation, {machine});
-      return true;
-    } catch (const UnreachablePose&) {
-      return false;
-    }
+    const PosePath tool = pose_path(path.curves());
+    return bool(trial([&] { return machine_path(tool.tool, tool.orientation, {machine}); }));
   }
 
   /// This stage covers the job's progress from `linked` to `to`.
@@ -179,16 +175,17 @@ class Planner {
   PathPlanning planning_of(const winding::NeedlePath& path, const Path& tool, const MachinePath& machine) const {
     PathPlanning planning;
     planning.path = planning.moving = machine.axes;
-    planning.machine = {machine.kinematics->axes(), request_.cycle_time};
     const std::size_t n = tool.size();
     const CurvatureFeedLimits curvature{request_.chord_tolerance, request_.cycle_time, request_.half_speed_curvature,
                                         request_.along.velocity};
     planning.feeds = planning.feeds_to_verify = curvature_feeds(tool, curvature);
     planning.rests = std::vector<bool>(n + 1, false);
     planning.rests.front() = planning.rests.back() = true;
-    planning.method = request_.law == FeedLaw::bspline ? PlanningMethod::spline : request_.feed;
     planning.options.along = request_.along;
     planning.options.profile = request_.profile;
+    planning.method =
+        method_row(request_.law == FeedLaw::bspline ? PlanningMethod::spline : request_.feed, planning.options);
+    planning.machine = held_limits({machine.kinematics->axes(), request_.cycle_time}, planning.method);
     // The feed on straight pieces limits the speed; it is not a required feed.
     if (!(request_.half_speed_curvature < unlimited) && request_.along.velocity < unlimited)
       planning.options.feed = request_.along.velocity;
@@ -204,18 +201,13 @@ class Planner {
   /// Returns the duration of the whole path with the requested feed, s; infinite if that is impossible.
   double timed(const winding::NeedlePath& path) {
     const PosePath tool = pose_path(path.curves());
-    try {
+    const auto duration = trial([&] {
       const MachinePath machine = machine_path(tool.tool, tool.orientation, request_.configurations);
       PathPlanning planning = planning_of(path, tool.tool, machine);
       planning.only_duration = true;
       return plan_along(planning, progress_.part(linked, linked)).duration;
-    } catch (const UnreachablePose&) {
-      return unlimited;
-    } catch (const FeedTooFast&) {
-      return unlimited;
-    } catch (const Infeasible&) {
-      return unlimited;
-    }
+    });
+    return duration ? *duration : unlimited;
   }
 
   std::shared_ptr<const Path> tool_path() const { return {plan_.tool, &plan_.tool->tool}; }
@@ -234,10 +226,12 @@ class Planner {
           interpolate(motion, cycles), request_.frame);
     };
     if (request_.interpolator != Interpolator::exact) planning.lag = most_lag;
+    RowCheck* needle = nullptr;
     const WireRows* wire_rows = nullptr;
     planning.row_checks = [&](const PathMotion& motion, const SetpointSource& setpoints, const Verification& verdict) {
       RowChecks list;
       list.push_back(needle_row_check({*plan_.machine.axes, *plan_.machine.kinematics, setpoints, planning.shown}));
+      needle = list.back().get();
       auto rows = std::make_unique<WireRows>(*wire, setpoints, motion, request_.tension.permitted);
       wire_rows = rows.get();
       list.push_back(std::move(rows));
@@ -250,15 +244,13 @@ class Planner {
     };
     plan_.motion = plan_along(planning, progress_.part(reached, planned));
     Verification& verdict = plan_.motion.verification;
-    const RowChecks rows = std::move(plan_.motion.row_checks);
-    verdict.add(rows[0]->checks());
+    verdict.add(needle->checks());
     verdict.add(curvature_checks({*plan_.machine.axes, plan_.motion.motion->law(), request_.cycle_time,
                                   request_.chord_tolerance, request_.half_speed_curvature, request_.along.velocity},
                                  progress_.part(planned, planned)));
     plan_.wire = wire_rows->figures();
-    verdict.add(rows[1]->checks());
-    verdict.add(rows[2]->checks());
-    verdict.add(rows[3]->checks());
+    for (const auto& rows : std::exchange(plan_.motion.row_checks, {}))
+      if (rows.get() != needle) verdict.add(rows->checks());
   }
 
   /// Measures all interpolators, and takes the setpoints of the requested one; the exact one needs no measurement,
@@ -344,7 +336,7 @@ class Planner {
     const double least = request_.least_clearance, found = plan_.clearance.minimum,
                  at = times_at({tool_length(tool, plan_.clearance.move, plan_.clearance.at)}).front();
     plan_.motion.verification.add(
-        verify::make_check(Checked{CheckedQuantity::clearance}, least, found, at, found >= least));
+        verify::make_check(Checked{{"needle clearance", CheckGroup::geometry}}, least, found, at, found >= least));
   }
 
   /// Returns the times at which the needle passes ascending places `lengths`, mm along its path, to 1e-6 of the law's

@@ -178,9 +178,9 @@ const WireFigures& WireRows::figures() const { return state_->figures; }
 std::vector<Check> wire_checks(const WireFigures& figures, double permitted) {
   std::vector<Check> checks;
   if (std::isfinite(permitted))
-    checks.push_back(verify::make_check({CheckedQuantity::pull, 0, "N"}, permitted, {figures.peak, figures.peak_at}));
+    checks.push_back(verify::make_check({{"wire pull"}, 0, "N"}, permitted, {figures.peak, figures.peak_at}));
   checks.push_back(
-      verify::make_check({CheckedQuantity::slack, 0, "N"}, 0, figures.least, figures.least_at, figures.least >= 0));
+      verify::make_check({{"wire slack"}, 0, "N"}, 0, figures.least, figures.least_at, figures.least >= 0));
   return checks;
 }
 

@@ -199,7 +199,7 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
 }
 
 Check bound_check(const Bound& bound, double planned) {
-  return verify::make_check({CheckedQuantity::bound, 0, "s"}, planned, {bound.value, 0});
+  return verify::make_check({{"bound", CheckGroup::bound}, 0, "s"}, planned, {bound.value, 0});
 }
 
 }  // namespace bahnwerk

@@ -99,10 +99,7 @@ class CamVerifier {
   };
 
   void add(std::string name, std::string unit, double limit, double value, double phi) {
-    out_.add({{CheckedQuantity::named, 0, std::move(unit), std::move(name)},
-              limit,
-              value,
-              phi * seconds_per_rad_,
+    out_.add({named(CheckGroup::geometry, std::move(name), std::move(unit)), limit, value, phi * seconds_per_rad_,
               value <= limit});
   }
 

@@ -59,16 +59,16 @@ class Verifier {
     check_textbook_laws(problem_, law_, out_);
     check_still_points(problem_, law_, out_);
     rows(table);
-    if (law_.bound) add("bound", "", law_.objective * (1 + 1e-9), *law_.bound, 0);
+    if (law_.bound) add(CheckGroup::bound, "bound", "", law_.objective * (1 + 1e-9), *law_.bound, 0);
     return std::move(out_);
   }
 
  private:
-  void add(std::string name, std::string unit, double limit, double value, double at) {
-    out_.add({{CheckedQuantity::named, 0, std::move(unit), std::move(name)}, limit, value, at, value <= limit});
+  void add(CheckGroup group, std::string name, std::string unit, double limit, double value, double at) {
+    out_.add({named(group, std::move(name), std::move(unit)), limit, value, at, value <= limit});
   }
-  void add(const std::string& name, int order, const Worst& worst) {
-    if (worst.seen()) add(name, unit(order), worst.limit, worst.value, worst.at);
+  void add(CheckGroup group, const std::string& name, int order, const Worst& worst) {
+    if (worst.seen()) add(group, name, unit(order), worst.limit, worst.value, worst.at);
   }
   std::string unit(int order) const {
     static constexpr const char* power[] = {"", "", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "¹⁰"};
@@ -134,7 +134,7 @@ class Verifier {
       worst.take(std::abs(law_.breaks.back() - section_begin(sections_count())) / second * slack, slack,
                  law_.breaks.back());
     if (!fits) worst.take(problem_.length, slack, 0);
-    add("angles", problem_.master_unit, worst.limit, worst.value, worst.at);
+    add(CheckGroup::limit, "angles", problem_.master_unit, worst.limit, worst.value, worst.at);
   }
 
   std::size_t piece_behind(std::size_t point) const { return point < sections_count() ? first_piece_[point] : none; }
@@ -186,9 +186,10 @@ class Verifier {
                                                 allowed(i, r) + allowed(i + 1, r), law_.breaks[i + 1]);
     }
     for (int r = 0; r < 22; ++r)
-      add(std::string("value ") + derivative_name(r), r, values[static_cast<std::size_t>(r)]);
+      add(CheckGroup::limit, std::string("value ") + derivative_name(r), r, values[static_cast<std::size_t>(r)]);
     for (int r = 0; r < 22; ++r)
-      add(std::string("continuity ") + derivative_name(r), r, jumps[static_cast<std::size_t>(r)]);
+      add(CheckGroup::continuity, std::string("continuity ") + derivative_name(r), r,
+          jumps[static_cast<std::size_t>(r)]);
   }
 
   /// The enclosed maximum of ±s^(order) over a piece.
@@ -210,7 +211,8 @@ class Verifier {
         worst[r].take(std::max(high.value - limit.max, 0.0), 2 * allowed(i, r), high.at);
         worst[r].take(std::max(limit.min + low.value, 0.0), 2 * allowed(i, r), low.at);
       }
-    for (int r = 0; r < cam::limited_orders; ++r) add(std::string("section limit ") + derivative_name(r), r, worst[r]);
+    for (int r = 0; r < cam::limited_orders; ++r)
+      add(CheckGroup::limit, std::string("section limit ") + derivative_name(r), r, worst[r]);
   }
 
   void peaks() {
@@ -234,9 +236,10 @@ class Verifier {
           if (found.value > peak) peak = found.value, at = found.at, off = allowed(i, r);
         }
       }
-      add(std::string("peak ") + derivative_name(r), unit(r), law_.peaks[order] * (1 + 1e-9) + 2 * off, peak, at);
+      add(CheckGroup::limit, std::string("peak ") + derivative_name(r), unit(r),
+          law_.peaks[order] * (1 + 1e-9) + 2 * off, peak, at);
       if (std::isfinite(drive[r]))
-        add(std::string("drive ") + derivative_name(r), unit(r), drive[r] * (1 + 1e-9), peak, at);
+        add(CheckGroup::limit, std::string("drive ") + derivative_name(r), unit(r), drive[r] * (1 + 1e-9), peak, at);
       if (problem_.objective.normalised) factor *= law_.cycle_duration;
       for (std::size_t s = 0; s < counted.size(); ++s) {
         const double own = s < sections_count() ? problem_.points[s].weight.value_or(0) : 1;
@@ -245,7 +248,7 @@ class Verifier {
       }
     }
     if (!(problem_.objective.zero_crossing_penalty > 0))
-      add("objective", "", law_.objective * (1 + 1e-9) + slack, objective, 0);
+      add(CheckGroup::bound, "objective", "", law_.objective * (1 + 1e-9) + slack, objective, 0);
   }
 
   /// The reported RMS values of acceleration and jerk.
@@ -257,8 +260,8 @@ class Verifier {
         off = std::max(off, allowed(i, r));
       }
       const double rms = std::sqrt(sum / (law_.breaks.back() - law_.breaks.front()));
-      add(std::string("rms ") + derivative_name(r), unit(r), off, std::abs(rms - law_.rms[static_cast<std::size_t>(r)]),
-          0);
+      add(CheckGroup::limit, std::string("rms ") + derivative_name(r), unit(r), off,
+          std::abs(rms - law_.rms[static_cast<std::size_t>(r)]), 0);
     }
   }
 
@@ -313,9 +316,10 @@ class Verifier {
         [&](std::size_t, std::size_t) { progress_.report("verification", 0.95); });
     static constexpr const char* names[] = {"table phi", "table s", "table v", "table a", "table j"};
     for (int c = 0; c < 5; ++c)
-      add(names[c], c == 0 ? problem_.master_unit : unit(c - 1), columns[c].limit, columns[c].value, columns[c].at);
+      add(CheckGroup::setpoints, names[c], c == 0 ? problem_.master_unit : unit(c - 1), columns[c].limit,
+          columns[c].value, columns[c].at);
     for (int r = 0; r < cam::limited_orders; ++r)
-      add(std::string("table section limit ") + derivative_name(r), r, limits[r]);
+      add(CheckGroup::setpoints, std::string("table section limit ") + derivative_name(r), r, limits[r]);
   }
 
   /// What rounding of times may be, s.

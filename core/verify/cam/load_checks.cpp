@@ -79,7 +79,7 @@ class LoadVerifier {
   static constexpr int parts = 64;
   double duration(std::size_t i) const { return law_.breaks[i + 1] - law_.breaks[i]; }
   void add(std::string name, std::string unit, double limit, double value, double at) {
-    out_.add({{CheckedQuantity::named, 0, std::move(unit), std::move(name)}, limit, value, at, value <= limit});
+    out_.add({named(CheckGroup::limit, std::move(name), std::move(unit)), limit, value, at, value <= limit});
   }
   /// The force or torque of the drive without friction.
   std::vector<double> combined(std::size_t i) const {

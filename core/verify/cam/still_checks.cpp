@@ -45,7 +45,7 @@ void check_still_points(const cam::MotionLawProblem& problem, const LawToVerify&
     if (problem.points[p].still) still.push_back(p);
   if (still.empty() || problem.vibration.empty()) return;
   constexpr double tolerance = 1e-7;
-  Check worst{{CheckedQuantity::named, 0, "", "residual vibration"}, tolerance, 0, 0, true};
+  Check worst{named(CheckGroup::limit, "residual vibration", ""), tolerance, 0, 0, true};
   const double scale = law.cycle_duration / problem.length;
   for (std::size_t k = 0; k < still.size(); ++k) {
     const bool wraps = k + 1 == still.size();

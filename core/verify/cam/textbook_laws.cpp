@@ -106,7 +106,7 @@ double textbook_law(ClassicalLaw law, double z, std::optional<double> inflection
 void check_textbook_laws(const cam::MotionLawProblem& problem, const LawToVerify& law, Verification& out) {
   constexpr double tolerance = 1e-9;
   constexpr int places = 200;
-  Check check{{CheckedQuantity::named, 0, "", "classical law"}, tolerance, 0, 0, true};
+  Check check{named(CheckGroup::limit, "classical law", ""), tolerance, 0, 0, true};
   bool any = false;
   for (std::size_t s = 0; s < problem.sections(); ++s) {
     const cam::MotionPoint &from = problem.points[s], &to = problem.points[problem.end_point(s)];

@@ -43,7 +43,8 @@ verify::Worst wrong_blocks(const Contour& given, const Contour& path) {
 std::vector<Check> tube_checks(const Contour& given, const Contour& path, double tolerance, Progress progress) {
   ProgressScope stage_progress(progress, "verify");
   stage_progress.report();
-  std::vector<Check> checks{verify::make_check({CheckedQuantity::block_order, 0, "1"}, 0, wrong_blocks(given, path))};
+  std::vector<Check> checks{
+      verify::make_check({{"blocks out of order", CheckGroup::geometry}, 0, "1"}, 0, wrong_blocks(given, path))};
   verify::Worst worst{HUGE_VAL, 0};
   if (checks.back().passed && !given.path.empty() && !path.path.empty()) {
     worst = {};
@@ -56,7 +57,7 @@ std::vector<Check> tube_checks(const Contour& given, const Contour& path, double
       if (std::isnan(found.value) || found.value > worst.value) worst.raise(found.value, found.at);
     }
   }
-  checks.push_back(verify::make_check(Checked{CheckedQuantity::deviation}, tolerance, worst));
+  checks.push_back(verify::make_check({{"deviation from contour", CheckGroup::geometry}}, tolerance, worst));
   stage_progress.done(1);
   stage_progress.report();
   return checks;

@@ -12,7 +12,7 @@ namespace bahnwerk {
 ///
 /// "blocks out of order" counts blocks of the path that are not the contour's. Both must have equal blocks: as many, in
 /// equal modes, each with a length where the given one has one, end to end. Feeds of the path are ignored
-/// (core/verify/verifier.hpp uses the contour's).
+/// (core/verify/law/verifier.hpp uses the contour's).
 ///
 /// "deviation from contour" compares every block of the path with its block of the contour, beginning to beginning and
 /// end to end, so a border that has moved by more than the tolerance fails. Between them both are traversed at once,

@@ -20,16 +20,17 @@ namespace bahnwerk::verify {
 namespace {
 
 struct Channel {
-  Quantity quantity;
+  ChannelQuantity quantity;
   std::size_t axis;
   double limit;
-  bool squared() const { return quantity != Quantity::acceleration; }
+  bool squared() const { return quantity != ChannelQuantity::acceleration; }
 };
 
 std::vector<Channel> make_channels(const VerifierInput& in) {
   std::vector<Channel> list;
-  for (const Quantity quantity : {Quantity::velocity, Quantity::acceleration, Quantity::jerk}) {
-    if (quantity == Quantity::jerk && !in.check_jerk) continue;
+  for (const ChannelQuantity quantity :
+       {ChannelQuantity::velocity, ChannelQuantity::acceleration, ChannelQuantity::jerk}) {
+    if (quantity == ChannelQuantity::jerk && !in.check_jerk) continue;
     for (std::size_t k = 0; k < in.path.axes(); ++k)
       if (const double value = in.machine.axes[k].of(static_cast<int>(quantity) + 1); value < unlimited)
         list.push_back({quantity, k, value});
@@ -94,13 +95,13 @@ class Sweeper {
  private:
   // Channel c where the axes have the derivatives d1, d2, d3, in what is searched (squares for velocity and jerk).
   static double value(const Channel& c, double d1, double d2, double d3, double b, double a) {
-    if (c.quantity == Quantity::velocity) return d1 * d1 * b;
-    if (c.quantity == Quantity::acceleration) return d2 * b + d1 * a;
+    if (c.quantity == ChannelQuantity::velocity) return d1 * d1 * b;
+    if (c.quantity == ChannelQuantity::acceleration) return d2 * b + d1 * a;
     const double r = d3 * b + 3 * d2 * a;
     return b * r * r;
   }
   static double value(const Channel& c, double d1, double d2, double d3, const LawState& x) {
-    if (c.quantity != Quantity::jerk) return value(c, d1, d2, d3, x.v * x.v, x.a);
+    if (c.quantity != ChannelQuantity::jerk) return value(c, d1, d2, d3, x.v * x.v, x.a);
     const double r = d3 * x.v * x.v * x.v + 3 * d2 * x.v * x.a + d1 * x.j;
     return r * r;
   }
@@ -354,7 +355,7 @@ class Sweeper {
     if (peak.tag < in_.law.pieces().size()) worst.at = moment(in_.law.pieces()[peak.tag], peak.at);
     const AxisLimits& axis = in_.machine.axes[channel.axis];
     const int order = static_cast<int>(channel.quantity) + 1;
-    return make_check({CheckedQuantity::axis, order, axis.unit, axis.name}, channel.limit, worst);
+    return make_check({quantity::axis, order, axis.unit, axis.name}, channel.limit, worst);
   }
 
   // Returns the time at which a piece passes the place where its peak was found.

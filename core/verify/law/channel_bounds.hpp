@@ -9,7 +9,7 @@
 namespace bahnwerk::verify {
 
 /// The functions whose peaks are searched: v², a and j² of one axis, with h by arc length and the law's v, a, j.
-enum class Quantity { velocity, acceleration, jerk };
+enum class ChannelQuantity { velocity, acceleration, jerk };
 /// A bound of each quantity, valid for every coordinate of the tool; infinite where unknown.
 using ChannelBounds = std::array<double, 3>;
 

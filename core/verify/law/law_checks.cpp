@@ -177,11 +177,11 @@ class LawChecker {
   }
 
   std::vector<Check> report() const {
-    using enum CheckedQuantity;
+    constexpr CheckGroup geometry = CheckGroup::geometry, continuous = CheckGroup::continuity;
     std::vector<Check> list;
     std::vector<Check> feeds;
     for (std::size_t i = 0; i < distinct_.size(); ++i)
-      feeds.push_back(make_check({feed, 1}, distinct_[i], feed_peaks_[i]));
+      feeds.push_back(make_check({quantity::feed, 1}, distinct_[i], feed_peaks_[i]));
     if (feeds.size() > max_feeds) {
       std::stable_sort(feeds.begin(), feeds.end(), [](const Check& a, const Check& b) {
         if (a.passed != b.passed) return b.passed;
@@ -190,29 +190,31 @@ class LawChecker {
       feeds.resize(max_feeds);
     }
     for (Check& c : feeds) list.push_back(std::move(c));
-    if (in_.along.velocity < unlimited) list.push_back(make_check({path, 1}, in_.along.velocity, peak_));
+    if (in_.along.velocity < unlimited) list.push_back(make_check({quantity::path, 1}, in_.along.velocity, peak_));
     if (in_.along.acceleration < unlimited)
-      list.push_back(make_check({path, 2}, in_.along.acceleration, path_acceleration_));
-    if (in_.check_jerk && in_.along.jerk < unlimited) list.push_back(make_check({path, 3}, in_.along.jerk, path_jerk_));
-    if (in_.check_jerk && in_.along.snap < unlimited) list.push_back(make_check({path, 4}, in_.along.snap, path_snap_));
+      list.push_back(make_check({quantity::path, 2}, in_.along.acceleration, path_acceleration_));
+    if (in_.check_jerk && in_.along.jerk < unlimited)
+      list.push_back(make_check({quantity::path, 3}, in_.along.jerk, path_jerk_));
+    if (in_.check_jerk && in_.along.snap < unlimited)
+      list.push_back(make_check({quantity::path, 4}, in_.along.snap, path_snap_));
     if (!joints_.empty()) {
-      list.push_back(make_limit_check({joint_step, 1, unit(step_)}, step_.worst));
-      if (jump_.worst.limit > 0) list.push_back(make_limit_check({joint_step, 2, unit(jump_)}, jump_.worst));
-      list.push_back(make_check({corner_rest, 1}, corner_));
+      list.push_back(make_limit_check({quantity::joint_step, 1, unit(step_)}, step_.worst));
+      if (jump_.worst.limit > 0) list.push_back(make_limit_check({quantity::joint_step, 2, unit(jump_)}, jump_.worst));
+      list.push_back(make_check({{"corner rest", continuous}, 1}, corner_));
     }
-    if (has_cusp_) list.push_back(make_check({cusp_rest, 1}, cusp_));
-    list.push_back(make_check({start_rest, 1}, start_));
-    list.push_back(make_check({end_rest, 1}, end_));
-    list.push_back(make_check({continuity, 1}, velocity_gap_));
-    if (in_.check_jerk) list.push_back(make_check({continuity, 2}, acceleration_gap_));
+    if (has_cusp_) list.push_back(make_check({{"cusp rest", continuous}, 1}, cusp_));
+    list.push_back(make_check({quantity::start_rest, 1}, start_));
+    list.push_back(make_check({quantity::end_rest, 1}, end_));
+    list.push_back(make_check({quantity::continuity, 1}, velocity_gap_));
+    if (in_.check_jerk) list.push_back(make_check({quantity::continuity, 2}, acceleration_gap_));
     Strained position = position_gap_;
     position.raise(joint_gap_.value, joint_gap_.limit, joint_gap_.at);
-    list.push_back(make_check({continuity, 0}, position));
-    list.push_back(make_check({time_continuity, 0, "s"}, time_gap_));
-    list.push_back(make_check({segments, 0}, outside_));
-    list.push_back(make_check({forward, 1}, backward_));
-    list.push_back(make_check({coverage, 0}, uncovered_));
-    list.push_back(make_check({path_distance, 0}, distance_));
+    list.push_back(make_check({quantity::continuity, 0}, position));
+    list.push_back(make_check({{"continuity of time", continuous}, 0, "s"}, time_gap_));
+    list.push_back(make_check({{"pieces within segments", geometry}, 0}, outside_));
+    list.push_back(make_check({{"forward motion", continuous}, 1}, backward_));
+    list.push_back(make_check({{"path covered", geometry}, 0}, uncovered_));
+    list.push_back(make_check({{"distance from contour", geometry}, 0}, distance_));
     return list;
   }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 
 namespace bahnwerk::verify {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 
 namespace bahnwerk::verify {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/geometry/path/rough_shape.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 
 namespace bahnwerk::verify {
 

@@ -65,7 +65,7 @@ class Rests {
 Check rest_check(const Contour& given, const Contour& driven, const TimeLaw& law, Progress progress,
                  double position_tolerance) {
   ProgressScope stage_progress(progress, "verify");
-  Check check = verify::make_check({CheckedQuantity::dwell, 0, "s"}, rounding * law.duration(), 0, 0, false);
+  Check check = verify::make_check({{"dwell"}, 0, "s"}, rounding * law.duration(), 0, 0, false);
   Rests at(driven, law, stage_progress);
   for (std::size_t i = 0, j = 0; i < given.rests.size(); i = j) {
     double seconds = 0;

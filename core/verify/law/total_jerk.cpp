@@ -67,7 +67,7 @@ Worst total_jerk(const Path& tool, const TimeLaw& law, ProgressScope& progress) 
       // The bound of every coordinate is one of the norms: it holds for the sum of their squares.
       if (discs->vanishing() == 0)
         samples.missing[0] = bounds_over_time(middle, half, discs->about(segment.parameter_at(middle.s)),
-                                              samples.rule.points)[static_cast<std::size_t>(Quantity::jerk)];
+                                              samples.rule.points)[static_cast<std::size_t>(ChannelQuantity::jerk)];
       fill(here, segment, n, [&](std::size_t i) { return samples.at(static_cast<int>(i)); });
       for (std::size_t i = 0; i < n; ++i) samples.values[i] = square(batch, i, state[i]);
       return true;

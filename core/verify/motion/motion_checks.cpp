@@ -162,28 +162,27 @@ class Checker {
   }
 
   /// Returns a check of all axes together.
-  Checked whole(CheckedQuantity quantity, int order) const { return {quantity, order, in_.unit, in_.group}; }
+  Checked whole(const Quantity& quantity, int order) const { return {quantity, order, in_.unit, in_.group}; }
 
   std::vector<Check> report() const {
     std::vector<Check> list;
     const std::size_t axes = in_.axes.size();
     for (std::size_t k = 0; k < axes; ++k) {
       const AxisLimits& axis = in_.axes[k];
-      if (axis.has_range()) list.push_back(make_check({CheckedQuantity::axis, 0, axis.unit, axis.name}, range_[k]));
+      if (axis.has_range()) list.push_back(make_check({quantity::axis, 0, axis.unit, axis.name}, range_[k]));
       for (std::size_t d = 1; d <= derivatives; ++d) {
         if (!std::isfinite(limit(axis, d))) continue;
         Worst worst = peaks_[d - 1][k];
         const Peak& sampled = sweep_[(d - 1) * axes + k];
         worst.raise(sampled.finite ? sampled.value : std::nan(""), sampled.at);
         if (d == 4 && !in_.motion.has_snap()) worst.value = std::nan("");
-        list.push_back(
-            make_check({CheckedQuantity::axis, static_cast<int>(d), axis.unit, axis.name}, limit(axis, d), worst));
+        list.push_back(make_check({quantity::axis, static_cast<int>(d), axis.unit, axis.name}, limit(axis, d), worst));
       }
     }
     for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
-      list.push_back(make_check(whole(CheckedQuantity::continuity, static_cast<int>(d)), gaps_[d]));
-    if (in_.rests_at_begin) list.push_back(make_check(whole(CheckedQuantity::start_rest, 1), start_));
-    if (in_.rests_at_end) list.push_back(make_check(whole(CheckedQuantity::end_rest, 1), end_));
+      list.push_back(make_check(whole(quantity::continuity, static_cast<int>(d)), gaps_[d]));
+    if (in_.rests_at_begin) list.push_back(make_check(whole(quantity::start_rest, 1), start_));
+    if (in_.rests_at_end) list.push_back(make_check(whole(quantity::end_rest, 1), end_));
     return list;
   }
 

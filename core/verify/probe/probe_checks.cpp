@@ -105,12 +105,12 @@ class ProbeChecker {
                      error(position(in_.motion.in_piece(in_.motion.pieces() - 1, T)) - in_.problem.given.back())),
             T};
     const double tube = in_.problem.tolerance;
-    Check deviation = make_check("deviation", "mm", tube, deviation_);
+    Check deviation = make_check(named(CheckGroup::geometry, "deviation", "mm"), tube, deviation_);
     deviation.passed = deviation.value <= tube * (1 + limit_tolerance) + coordinate_share * largest_;
-    return {make_check("speed", "mm/s", in_.problem.speed, speed_), std::move(deviation),
-            make_check("points", "mm", in_.problem.point_tolerance, points_),
-            make_check("start position", "mm", end_tolerance, start),
-            make_check("end position", "mm", end_tolerance, end)};
+    return {make_check(named(CheckGroup::limit, "speed", "mm/s"), in_.problem.speed, speed_), std::move(deviation),
+            make_check(named(CheckGroup::geometry, "points", "mm"), in_.problem.point_tolerance, points_),
+            make_check(named(CheckGroup::limit, "start position", "mm"), end_tolerance, start),
+            make_check(named(CheckGroup::limit, "end position", "mm"), end_tolerance, end)};
   }
 
  private:

@@ -46,7 +46,8 @@ class ProbeRows final : public RowCheck {
 
   std::vector<Check> checks() override {
     using verify::make_check;
-    return {make_check("setpoints deviation", "mm", deviation_), make_check("setpoints speed", "mm/s", speed_)};
+    return {make_check(named(CheckGroup::setpoints, "setpoints deviation", "mm"), deviation_),
+            make_check(named(CheckGroup::setpoints, "setpoints speed", "mm/s"), speed_)};
   }
 
  private:

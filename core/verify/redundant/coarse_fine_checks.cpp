@@ -83,8 +83,8 @@ class FineSweep {
       const Channel& channel = channels_[c_];
       const AxisLimits& axis = in_.fine_axes[channel.axis];
       const Peak& peak = peaks_[c_];
-      const auto quantity = channel.derivative == 0 ? CheckedQuantity::stroke : CheckedQuantity::axis;
-      list.push_back(make_check({quantity, static_cast<int>(channel.derivative), axis.unit, axis.name}, channel.limit,
+      const Quantity& what = channel.derivative == 0 ? quantity::stroke : quantity::axis;
+      list.push_back(make_check({what, static_cast<int>(channel.derivative), axis.unit, axis.name}, channel.limit,
                                 Worst{peak.finite ? peak.value : std::numeric_limits<double>::quiet_NaN(), peak.at}));
     }
     return list;
@@ -207,7 +207,7 @@ std::vector<bool> still_axes(const CoarseFineToVerify& in, const std::vector<Che
   std::vector<bool> still(in.fine_axes.size());
   for (std::size_t k = 0; k < still.size(); ++k)
     still[k] = std::any_of(fine.begin(), fine.end(), [&](const Check& c) {
-      return is(c, CheckedQuantity::stroke, 0, in.fine_axes[k].name) && c.value <= least_stroke;
+      return is(c, quantity::stroke, 0, in.fine_axes[k].name) && c.value <= least_stroke;
     });
   return still;
 }
@@ -325,7 +325,7 @@ std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress 
   verify::Strained duration;
   duration.raise(std::abs(input.coarse.duration() - input.law.duration()), verify::rounding * input.law.duration(),
                  input.law.duration());
-  list.push_back(verify::make_check({CheckedQuantity::duration, 0, "s", "coarse"}, duration));
+  list.push_back(verify::make_check({{"duration", CheckGroup::continuity}, 0, "s", "coarse"}, duration));
   return list;
 }
 

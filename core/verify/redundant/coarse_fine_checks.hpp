@@ -12,6 +12,10 @@
 
 namespace bahnwerk {
 
+namespace quantity {
+inline constexpr Quantity stroke{"stroke", CheckGroup::limit, true};  ///< the position of a fine axis
+}
+
 struct CoarseFineToVerify {
   const AxisPath& path;                                  ///< Cartesian
   const TimeLaw& law;                                    ///< time law of the head, as it will be sampled

@@ -58,10 +58,14 @@ class SumRows final : public RowCheck {
   std::vector<Check> checks() override {
     using verify::make_check;
     using verify::make_limit_check;
-    using enum CheckedQuantity;
-    return {make_check({rows_sum, 0}, sums_[0]),        make_check({rows_sum, 1}, sums_[1]),
-            make_check({rows_sum, 2}, sums_[2]),        make_limit_check({rows_stroke, 0}, fine_[0]),
-            make_limit_check({rows_fine, 1}, fine_[1]), make_limit_check({rows_fine, 2}, fine_[2])};
+    constexpr CheckGroup setpoints = CheckGroup::setpoints;
+    constexpr Quantity fine{"setpoints fine %", setpoints};
+    return {make_check({{"setpoints sum", setpoints}, 0}, sums_[0]),
+            make_check({{"setpoints sum of velocities", setpoints}, 1}, sums_[1]),
+            make_check({{"setpoints sum of accelerations", setpoints}, 2}, sums_[2]),
+            make_limit_check({{"setpoints stroke", setpoints}, 0}, fine_[0]),
+            make_limit_check({fine, 1}, fine_[1]),
+            make_limit_check({fine, 2}, fine_[2])};
   }
 
  private:

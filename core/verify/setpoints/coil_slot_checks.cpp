@@ -57,9 +57,9 @@ class CoilSlotRows final : public RowCheck {
     if (side_ == Side::between) finish(Side::between);
     const double missing = static_cast<double>(in_.passes.size()) - static_cast<double>(next_);
     passes_.raise(std::abs(missing) + static_cast<double>(wrong_) + static_cast<double>(missing_columns_), at_);
-    return {verify::make_check("needle outside coil slots", "mm", 0, needle_),
-            verify::make_check("wire outside coil slots", "mm", 0, wire_),
-            verify::make_check("passes of coil slots", "1", 0, passes_)};
+    return {verify::make_check(named(CheckGroup::limit, "needle outside coil slots", "mm"), 0, needle_),
+            verify::make_check(named(CheckGroup::limit, "wire outside coil slots", "mm"), 0, wire_),
+            verify::make_check(named(CheckGroup::limit, "passes of coil slots", "1"), 0, passes_)};
   }
 
  private:

@@ -52,8 +52,8 @@ std::vector<Check> curvature_checks(const CurvatureInput& in, Progress progress)
     place[0] = place[parts];
   }
   std::vector<Check> checks;
-  if (chord) checks.push_back(verify::make_check({CheckedQuantity::chord_error, 0}, in.chord_tolerance, error));
-  if (half) checks.push_back(verify::make_check({CheckedQuantity::half_speed_feed, 1}, in.velocity, feed));
+  if (chord) checks.push_back(verify::make_check({{"chord error"}, 0}, in.chord_tolerance, error));
+  if (half) checks.push_back(verify::make_check({{"half-speed feed"}, 1}, in.velocity, feed));
   return checks;
 }
 

@@ -40,8 +40,8 @@ struct Series {
 
 Checked differences_of(const Check& held) {
   Checked what = held;
-  what.quantity =
-      held.quantity == CheckedQuantity::path ? CheckedQuantity::path_differences : CheckedQuantity::axis_differences;
+  what.quantity = held.quantity == quantity::path ? Quantity{"setpoint path %", CheckGroup::setpoints}
+                                                  : Quantity{"setpoint %", CheckGroup::setpoints, true};
   return what;
 }
 
@@ -51,9 +51,9 @@ class DifferenceRows final : public RowCheck {
       : in_(in), width_(in.setpoints.columns().size()), cycle_time_(in.setpoints.cycle_time()) {
     for (std::size_t k = 0; k < in.machine.axes.size(); ++k) {
       const std::string& name = in.machine.axes[k].name;
-      add(name, k < in.shown.size() ? in.shown[k] : 1, CheckedQuantity::axis, name);
+      add(name, k < in.shown.size() ? in.shown[k] : 1, quantity::axis, name);
     }
-    add("s", 1, CheckedQuantity::path, "");
+    add("s", 1, quantity::path, "");
   }
 
   void row(std::size_t k, const double* row) override {
@@ -78,7 +78,7 @@ class DifferenceRows final : public RowCheck {
   }
 
  private:
-  void add(const std::string& column, double shown, CheckedQuantity quantity, const std::string& subject) {
+  void add(const std::string& column, double shown, const Quantity& quantity, const std::string& subject) {
     Series series;
     series.shown = shown;
     series.column = column_index(in_.setpoints.columns(), column);

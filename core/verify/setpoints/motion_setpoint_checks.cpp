@@ -42,14 +42,14 @@ class MotionRows final : public RowCheck {
 
   std::vector<Check> checks() override {
     using verify::make_check;
-    using enum CheckedQuantity;
-    const auto of = [&](CheckedQuantity quantity, std::size_t order, const char* unit) {
+    const auto of = [&](const Quantity& quantity, std::size_t order, const char* unit) {
       return Checked{quantity, static_cast<int>(order), unit, in_.group};
     };
-    std::vector<Check> list{make_check(of(rows_count, 0, "1"), count_), make_check(of(rows_time, 0, "s"), time_)};
+    std::vector<Check> list{make_check(of(quantity::rows_count, 0, "1"), count_),
+                            make_check(of(quantity::rows_time, 0, "s"), time_)};
     for (std::size_t order = 0; order < std::max(orders_, needed_orders); ++order)
-      list.push_back(make_check(of(rows, order, "mm"), off_[order]));
-    list.push_back(make_check(of(rows_end, 0, "mm"), end_));
+      list.push_back(make_check(of(quantity::rows, order, "mm"), off_[order]));
+    list.push_back(make_check(of(quantity::rows_end, 0, "mm"), end_));
     return list;
   }
 

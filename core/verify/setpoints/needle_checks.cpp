@@ -58,9 +58,9 @@ class NeedleRows final : public RowCheck {
   }
 
   std::vector<Check> checks() override {
-    using enum CheckedQuantity;
-    return {verify::make_check({tip_position, 0}, position_), verify::make_check({tip_angle, 0, "deg"}, angle_),
-            verify::make_check({rows_pose, 0}, pose_)};
+    return {verify::make_check({quantity::tip_position, 0}, position_),
+            verify::make_check({{"forward kinematics angle", CheckGroup::geometry}, 0, "deg"}, angle_),
+            verify::make_check({quantity::rows_pose, 0}, pose_)};
   }
 
  private:

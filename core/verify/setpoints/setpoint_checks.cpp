@@ -158,19 +158,23 @@ class PathRows final : public RowCheck {
 
   std::vector<Check> report() const {
     using verify::make_check;
-    using enum CheckedQuantity;
-    std::vector<Check> checks = {
-        make_check({rows_count, 0, "1"}, count_),          make_check({rows_time, 0, "s"}, time_),
-        make_check({rows_path, 0}, path_column_),          make_check({rows_speed, 1}, speed_),
-        make_check({rows_forward, 0}, forward_),           make_check({CheckedQuantity::rows, 0}, position_),
-        make_check({CheckedQuantity::rows, 1}, velocity_), make_check({CheckedQuantity::rows, 2}, acceleration_)};
+    using namespace quantity;
+    constexpr CheckGroup setpoints = CheckGroup::setpoints;
+    std::vector<Check> checks = {make_check({rows_count, 0, "1"}, count_),
+                                 make_check({rows_time, 0, "s"}, time_),
+                                 make_check({{"setpoints path", setpoints}, 0}, path_column_),
+                                 make_check({{"setpoints speed", setpoints}, 1}, speed_),
+                                 make_check({{"setpoints forward", setpoints}, 0}, forward_),
+                                 make_check({rows, 0}, position_),
+                                 make_check({rows, 1}, velocity_),
+                                 make_check({rows, 2}, acceleration_)};
     if (in_.contour != nullptr) {
       Strained labels;
       labels.raise(static_cast<double>(mislabelled_), 0, mislabelled_at_);
-      checks.push_back(make_check({rows_labels, 0, "1"}, labels));
+      checks.push_back(make_check({{"setpoints mode and block", setpoints}, 0, "1"}, labels));
     }
     checks.push_back(make_check({rows_end, 0}, end_));
-    checks.push_back(make_check({rows_end_rest, 1}, rest_));
+    checks.push_back(make_check({{"setpoints end at rest", setpoints}, 1}, rest_));
     return checks;
   }
 

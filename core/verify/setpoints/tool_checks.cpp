@@ -70,9 +70,9 @@ class ToolRows final : public RowCheck {
   }
 
   std::vector<Check> checks() override {
-    using enum CheckedQuantity;
+    using quantity::tip_position;
     return {verify::make_check({tip_position, 0}, position_), verify::make_check({tip_position, 1}, velocity_),
-            verify::make_check({tip_position, 2}, acceleration_), verify::make_check({rows_pose, 0}, pose_)};
+            verify::make_check({tip_position, 2}, acceleration_), verify::make_check({quantity::rows_pose, 0}, pose_)};
   }
 
  private:

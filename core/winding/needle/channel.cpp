@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/base/errors.hpp"
 #include "core/numeric/golden_section.hpp"
 #include "core/winding/part/vec3.hpp"
 
@@ -74,22 +73,21 @@ double slot_room(const NeedlePose& from, const NeedlePose& to, double low, doubl
   return least;
 }
 
-SupportPoint kept_clear(Vec3 along, Vec3 across, const std::function<SupportPoint(Vec3)>& support,
-                        const std::function<double(const NeedlePose&)>& left, double enough) {
-  const SupportPoint straight = support(along);
-  double most = left(straight.pose), best = 0;
+Expected<SupportPoint, NoSupport> kept_clear(Vec3 along, Vec3 across,
+                                             const std::function<Expected<SupportPoint, NoSupport>(Vec3)>& support,
+                                             const std::function<double(const NeedlePose&)>& left, double enough) {
+  const Expected<SupportPoint, NoSupport> straight = support(along);
+  if (!straight) return straight;
+  double most = left(straight->pose), best = 0;
   if (most >= enough) return straight;
   const auto leaning = [&](double k) {
     const Vec3 way = along + k * across;
     return support((1 / norm(way)) * way);
   };
-  /// Returns the distance for this lean; nothing if it is impossible.
+  /// Returns the distance for this lean; less than any other if it is impossible.
   const auto leaves = [&](double k) {
-    try {
-      return left(leaning(k).pose);
-    } catch (const Infeasible&) {
-      return -std::numeric_limits<double>::infinity();
-    }
+    const Expected<SupportPoint, NoSupport> point = leaning(k);
+    return point ? left(point->pose) : -std::numeric_limits<double>::infinity();
   };
   const auto steps = static_cast<int>(std::lround(most_lean / lean_step));
   for (int i = 1; i <= steps && most < enough; ++i)

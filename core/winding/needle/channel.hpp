@@ -29,10 +29,10 @@ double slot_room(const NeedlePose& from, const NeedlePose& to, double low, doubl
                  const Obstacle& iron);
 
 /// Returns the support point of a wire in the direction `along`, of unit length, or in a changed direction with enough
-/// distance. `support` computes the support point of any direction, and may throw Infeasible; `left` is the distance of
-/// a pose, mm. The result is that of `along` itself if it has `enough` distance; otherwise it takes up to 90 calls of
-/// both.
-SupportPoint kept_clear(Vec3 along, Vec3 across, const std::function<SupportPoint(Vec3)>& support,
-                        const std::function<double(const NeedlePose&)>& left, double enough);
+/// distance. `support` computes the support point of any direction; `left` is the distance of a pose, mm. The result is
+/// that of `along` itself if it has `enough` distance; otherwise it takes up to 90 calls of both.
+Expected<SupportPoint, NoSupport> kept_clear(Vec3 along, Vec3 across,
+                                             const std::function<Expected<SupportPoint, NoSupport>(Vec3)>& support,
+                                             const std::function<double(const NeedlePose&)>& left, double enough);
 
 }  // namespace bahnwerk::winding

@@ -13,7 +13,7 @@ NeedlePose tip_pose(const StatorPart& part, Point tip, std::optional<double> piv
   const Vec3 place{part.heads.base_radius - tip.y, tip.x, part.heads.stack / 2};
   const double opening = part.heads.base_radius - part.slot.height - part.slot.tip_corner_radius;
   // Without bend and free length the tip is at the wire's place.
-  return slot_support(place, {0, 0, -1}, 0, 0, {opening, 0, 0}, pivot_limit).pose;
+  return slot_support(place, {0, 0, -1}, 0, 0, {opening, 0, 0}, pivot_limit)->pose;
 }
 
 double tip_clearance(const StatorPart& part, const StatorIron& iron, const NeedleShape& needle, Point tip,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_scope.hpp"
@@ -20,10 +21,11 @@ constexpr std::size_t units_per_tip = 400;  // units of work for progress, per t
 
 double nearest_turn(double angle, double to) { return to + std::remainder(angle - to, 2 * pi); }
 
-Vec3 direction(Vec3 from, Vec3 to) {
+/// Returns the direction of unit length; none without a distance.
+std::optional<Vec3> direction(Vec3 from, Vec3 to) {
   const Vec3 way = to - from;
   const double length = norm(way);
-  if (!(length > 1e-9)) throw Infeasible("two laying regions have no distance: the wire between them has no direction");
+  if (!(length > 1e-9)) return std::nullopt;
   return (1 / length) * way;
 }
 
@@ -85,52 +87,66 @@ class Pieces {
 
 /// The winding head of a stator, in which the needle points along the axis towards the stack. The arc has the larger
 /// radius and the larger distance from the stack of both its ends, so that the wire bends nowhere more than at these.
-FixedPiece head(const Passage& p, double sense, bool top, double rho, double length) {
+Expected<FixedPiece, NoSupport> head(const Passage& p, double sense, bool top, double rho, double length) {
   FixedPiece piece;
   piece.shape = FixedPiece::Shape::arc;
   const double out = top ? 1 : -1;
   const Vec3 needle{0, 0, -out};
-  const TipOffset in = tip_offset(direction(p.held, p.begin), needle, rho, length);
-  const Vec3 tip = p.begin + in.offset;
+  const std::optional<Vec3> held = direction(p.held, p.begin);
+  if (!held) return NoSupport::no_distance;
+  const std::optional<TipOffset> in = tip_offset(*held, needle, rho, length);
+  if (!in) return NoSupport::backwards;
+  const Vec3 tip = p.begin + in->offset;
   // Along the arc the wire trails horizontally: a right angle with the needle.
   const double lead = length + rho, radius = std::max(std::hypot(tip.x, tip.y), std::hypot(p.end.x, p.end.y)),
                height = out * std::max(out * tip.z, out * p.end.z + rho);
   const double between = sense * (azimuth(p.end) - azimuth(p.begin)),
                wires = between - 2 * pi * std::floor(between / (2 * pi)),
                sweep = wires + lead / radius - sense * std::remainder(azimuth(tip) - azimuth(p.begin), 2 * pi);
-  if (!(sweep > 0)) throw Infeasible("a winding head is shorter than the needle's way into it");
+  if (!(sweep > 0)) return NoSupport::short_head;
   piece.sweep = sense * sweep;
   const double begin = azimuth(tip), psi = out * pi / 2;  // (4.26)
   const auto at = [&](double angle) { return radius * radial(angle) + Vec3{0, 0, height}; };
-  piece.begin = {{at(begin), begin, psi}, 0, in.exit_angle};
+  piece.begin = {{at(begin), begin, psi}, 0, in->exit_angle};
   piece.end = {{at(begin + piece.sweep), begin + piece.sweep, psi}, 0, pi / 2};
   return piece;
 }
 
 /// Computes the ends of a line in a laying region. `leading(place, along)` is the support point of a wire over `place`;
 /// `standing(pose)` is the clearance of the needle there and `between(begin, end)` that along the line, mm. Reports
-/// `stage_progress`.
+/// `stage_progress`. Returns why there are none.
 template <class Leading, class Standing, class Between>
-void set_ends(FixedPiece& piece, const Passage& p, Vec3 across, const NeedleModel& model, const Leading& leading,
-              const Standing& standing, const Between& between, ProgressScope& stage_progress) {
-  const Vec3 in = direction(p.held, p.begin), out = direction(p.begin, p.end);
+std::optional<NoSupport> set_ends(FixedPiece& piece, const Passage& p, Vec3 across, const NeedleModel& model,
+                                  const Leading& leading, const Standing& standing, const Between& between,
+                                  ProgressScope& stage_progress) {
+  const std::optional<Vec3> in = direction(p.held, p.begin), out = direction(p.begin, p.end);
+  if (!in || !out) return NoSupport::no_distance;
   const auto over = [&](Vec3 place, Vec3 along) {
     stage_progress.work(units_per_tip);
     return leading(place, along);
   };
   const auto begin = [&](Vec3 along) { return over(p.begin, along); };
   const auto end = [&](Vec3 along) { return over(p.end, along); };
-  piece.begin = begin(in), piece.end = end(out);
-  if (!model.shape) return;
+  /// Takes both points, if there are such.
+  const auto take = [&](const Expected<SupportPoint, NoSupport>& first,
+                        const Expected<SupportPoint, NoSupport>& last) -> std::optional<NoSupport> {
+    if (!first) return first.reason();
+    if (!last) return last.reason();
+    piece.begin = *first, piece.end = *last;
+    return std::nullopt;
+  };
+  if (const auto none = take(begin(*in), end(*out)); none || !model.shape) return none;
   // Each end has to increase its distance by what the line lacks.
   double at_begin = standing(piece.begin.pose), at_end = standing(piece.end.pose);
   for (int round = 0; round < 8; ++round) {
     const double lacking = model.clearance + margin - between(piece.begin.pose, piece.end.pose);
-    if (!(lacking > lack_exact)) return;
+    if (!(lacking > lack_exact)) break;
     at_begin += lacking, at_end += lacking;
-    piece.begin = kept_clear(in, across, begin, standing, at_begin);
-    piece.end = kept_clear(out, across, end, standing, at_end);
+    if (const auto none =
+            take(kept_clear(*in, across, begin, standing, at_begin), kept_clear(*out, across, end, standing, at_end)))
+      return none;
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -145,8 +161,9 @@ Vec3 NeedlePose::direction() const {
   return {std::cos(phi) * std::cos(psi), std::sin(phi) * std::cos(psi), -std::sin(psi)};
 }
 
-std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
-                                       const std::vector<Turn>& turns, const NeedleModel& model, Progress progress) {
+Expected<std::vector<FixedPiece>, NoSupport> support_points(const StatorPart& part, const std::vector<Coil>& coils,
+                                                            const std::vector<Turn>& turns, const NeedleModel& model,
+                                                            Progress progress) {
   check(model);
   ProgressScope stage_progress(progress, "support points");
   const double rho = bend_radius(model.pull), length = model.pull.free_length;
@@ -163,7 +180,9 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
       FixedPiece piece;
       if (j % 2 == 1) {
         const double sense = (coil.span > 0) == (j == 1) ? 1 : -1;
-        piece = head(p, sense, j == 3, rho, length);
+        Expected<FixedPiece, NoSupport> arc = head(p, sense, j == 3, rho, length);
+        if (!arc) return arc.reason();
+        piece = *arc;
       } else {
         const double slot = slot_azimuth(part, coil.first + (j == 2 ? coil.span : 0));
         const OneSlot own(iron, slot);
@@ -177,7 +196,8 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
         const auto leading = [&](Vec3 place, Vec3 along) {
           return slot_support(place, along, rho, length, pivot, model.pivot_limit);
         };
-        set_ends(piece, p, across, model, leading, standing, between, stage_progress);
+        if (const auto none = set_ends(piece, p, across, model, leading, standing, between, stage_progress))
+          return *none;
       }
       piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
       pieces.add(piece);
@@ -186,25 +206,26 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
   return std::move(pieces).with_changes();
 }
 
-std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model,
-                                       Progress progress) {
+Expected<std::vector<FixedPiece>, NoSupport> support_points(const RotorPart& part, const std::vector<Turn>& turns,
+                                                            const NeedleModel& model, Progress progress) {
   check(model);
   ProgressScope stage_progress(progress, "support points");
   const double rho = bend_radius(model.pull), length = model.pull.free_length;
   // The needle points at the axis (4.28): its tip is on the outer side of the bend, whose tangents meet at C.
-  const auto leading = [&](Vec3 place, Vec3 along) {
+  const auto leading = [&](Vec3 place, Vec3 along) -> Expected<SupportPoint, NoSupport> {
     SupportPoint found;
     double tangent = rho;
     for (int i = 0; i < 200; ++i) {
       found.pose.phi = azimuth(place + (length + tangent) * along) + pi;
-      const TipOffset tip = tip_offset(along, radial(found.pose.phi), rho, length);
-      found.pose.tip = place + tip.offset;
-      found.exit_angle = tip.exit_angle;
-      const double next = rho * std::tan(tip.exit_angle / 2);
+      const std::optional<TipOffset> tip = tip_offset(along, radial(found.pose.phi), rho, length);
+      if (!tip) return NoSupport::backwards;
+      found.pose.tip = place + tip->offset;
+      found.exit_angle = tip->exit_angle;
+      const double next = rho * std::tan(tip->exit_angle / 2);
       if (std::abs(next - tangent) <= 1e-14 * (1 + tangent)) return found;
       tangent = i < 20 ? next : (tangent + next) / 2;
     }
-    throw Infeasible("no direction of the needle brings the wire to its place");
+    return NoSupport::no_direction;
   };
   const Slot slot_shape = checked_slot(part);
   const RotorIron iron(part, slot_shape, {});
@@ -235,7 +256,7 @@ std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<
       // The tip moves sideways across a slot, along the part's axis across an end cap.
       const Vec3 across = slot ? radial(azimuth(p.begin) + pi / 2) : Vec3{0, 0, 1};
       FixedPiece piece;
-      set_ends(piece, p, across, model, leading, standing, between, stage_progress);
+      if (const auto none = set_ends(piece, p, across, model, leading, standing, between, stage_progress)) return *none;
       piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
       pieces.add(piece);
     }

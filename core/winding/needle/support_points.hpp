@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/expected.hpp"
 #include "core/base/progress.hpp"
 #include "core/winding/needle/wire_pull.hpp"
 #include "core/winding/part/turns.hpp"
@@ -59,19 +60,28 @@ struct NeedleModel {
   double clearance = 0;
 };
 
+/// Why no needle lays a wire.
+enum class NoSupport {
+  no_distance,   ///< two laying regions have no distance: the wire between them has no direction
+  short_head,    ///< a winding head is shorter than the needle's way into it
+  no_direction,  ///< no direction of the needle brings the wire to its place
+  beyond_axis,   ///< in a slot the needle's tip would lie beyond the part's axis
+  backwards      ///< the wire would leave the needle backwards along its axis
+};
+
 /// Returns the support points of the turns that turns_of() made from the coil_regions() of these coils. The first
-/// turn's wire comes from where turns_of() holds it. Throws InvalidInput naming members of "pull" and "needle";
-/// Infeasible where a head is too short for its arc, or the wire would leave the needle backwards; Stopped. O(turns):
-/// some µs each, 2 ms where tips are moved.
-std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
-                                       const std::vector<Turn>& turns, const NeedleModel& model, Progress progress);
-std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model,
-                                       Progress progress);
+/// turn's wire comes from where turns_of() holds it. Throws InvalidInput naming members of "pull" and "needle",
+/// and Stopped. O(turns): some µs each, 2 ms where tips are moved.
+Expected<std::vector<FixedPiece>, NoSupport> support_points(const StatorPart& part, const std::vector<Coil>& coils,
+                                                            const std::vector<Turn>& turns, const NeedleModel& model,
+                                                            Progress progress);
+Expected<std::vector<FixedPiece>, NoSupport> support_points(const RotorPart& part, const std::vector<Turn>& turns,
+                                                            const NeedleModel& model, Progress progress);
 
 /// Returns the needle in a stator's slot: the tip from which a wire along `along` is laid at `place`, for a needle that
 /// points away from the axis or, with a limit, through `pivot` as far as the limit allows. A pivot less than 1 mm
-/// before the bend, or behind it, counts as 1 mm before it. Throws Infeasible.
-SupportPoint slot_support(Vec3 place, Vec3 along, double bend_radius, double free_length, Vec3 pivot,
-                          std::optional<double> pivot_limit);
+/// before the bend, or behind it, counts as 1 mm before it.
+Expected<SupportPoint, NoSupport> slot_support(Vec3 place, Vec3 along, double bend_radius, double free_length,
+                                               Vec3 pivot, std::optional<double> pivot_limit);
 
 }  // namespace bahnwerk::winding

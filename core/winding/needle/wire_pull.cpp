@@ -35,12 +35,12 @@ double bend_radius(const Pull& pull) {
   return radius;
 }
 
-TipOffset tip_offset(Vec3 along, Vec3 needle, double bend_radius, double free_length) {
+std::optional<TipOffset> tip_offset(Vec3 along, Vec3 needle, double bend_radius, double free_length) {
   // Sine and cosine give an accurate angle also where the wire leaves straight ahead or backwards.
   const double angle = std::atan2(norm(cross(along, needle)), -dot(along, needle));
-  if (angle > std::numbers::pi - 1e-3) throw Infeasible("the wire would leave the needle backwards along its axis");
+  if (angle > std::numbers::pi - 1e-3) return std::nullopt;
   const double tangent = bend_radius * std::tan(angle / 2);
-  return {(free_length + tangent) * along - tangent * needle, angle};
+  return TipOffset{(free_length + tangent) * along - tangent * needle, angle};
 }
 
 }  // namespace bahnwerk::winding

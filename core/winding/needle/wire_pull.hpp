@@ -12,6 +12,8 @@
 /// The radius is the one at which the tension's moment about the needle's mouth, at α = 90°, equals the wire's
 /// resistance to bending, F ρ (1 − cos α) = M, and at least the radius that the enamel allows: ρ = max(ρ_min, M/F).
 /// [Herrmann] says that the circle depends on the tension and has a least radius, but gives no formula.
+#include <optional>
+
 #include "core/winding/part/vec3.hpp"
 #include "core/winding/wire.hpp"
 
@@ -37,8 +39,8 @@ struct TipOffset {
   Vec3 offset;            ///< vector from the wire's place to the tip, mm
   double exit_angle = 0;  ///< α, rad
 };
-/// `along` is u and `needle` is d, both of unit length. Throws Infeasible where the wire would leave the needle
-/// backwards, within 1e-3 rad of its axis: no circle fits.
-TipOffset tip_offset(Vec3 along, Vec3 needle, double bend_radius, double free_length);
+/// `along` is u and `needle` is d, both of unit length. Returns none where the wire would leave the needle backwards,
+/// within 1e-3 rad of its axis: no circle fits.
+std::optional<TipOffset> tip_offset(Vec3 along, Vec3 needle, double bend_radius, double free_length);
 
 }  // namespace bahnwerk::winding

@@ -8,7 +8,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <tuple>
 #include <utility>
 
@@ -87,20 +86,14 @@ SplinePoint point(const NeedlePose& pose) { return {pose.tip.x, pose.tip.y, pose
 
 bool is_slot(const FixedPiece& piece) { return piece.kind == FixedPiece::Kind::region && piece.region % 2 == 0; }
 
-std::string where(const FixedPiece& piece) {
-  const std::string turn = "turn " + std::to_string(piece.turn + 1) + " of coil " + std::to_string(piece.coil + 1);
-  return piece.kind == FixedPiece::Kind::coil_change ? "the way to the next coil after " + turn
-                                                     : std::string(region_in_words(piece.region)) + " of " + turn;
-}
-
+/// Returns the curve of a fixed piece; empty if it has no length.
 std::vector<BezierPiece> curve(const FixedPiece& piece, std::size_t continuity) {
   const SplinePoint from = point(piece.begin.pose), to = point(piece.end.pose);
   if (piece.shape == FixedPiece::Shape::line) {
-    if (!(norm(place(to) - place(from)) > shortest)) throw Infeasible(where(piece) + " has no length");
+    if (!(norm(place(to) - place(from)) > shortest)) return {};
     return {BezierPiece::line(from, to)};
   }
-  if (!(std::hypot(from[0], from[1]) * std::abs(piece.sweep) > shortest))
-    throw Infeasible(where(piece) + " has no length");
+  if (!(std::hypot(from[0], from[1]) * std::abs(piece.sweep) > shortest)) return {};
   return spline_arc(from, {0, 0, from[2]}, {0, 0, 1}, piece.sweep,
                     {0, 0, to[2] - from[2], piece.sweep, to[4] - from[4]}, continuity);
 }
@@ -127,15 +120,17 @@ class Maker {
   Maker(const std::vector<FixedPiece>& fixed, bool stator, const LinkOptions& options, const PostPassage* posts)
       : fixed_(fixed), stator_(stator), options_(options), posts_(posts), search_(options) {}
 
-  NeedlePath run(Progress progress) {
+  Expected<NeedlePath, NoPath> run(Progress progress) {
     std::vector<BezierPiece> here = curve(fixed_.front(), options_.continuity);
     for (std::size_t i = 0;; ++i) {
+      if (here.empty()) return NoPath{NoPath::Reason::no_length, i};
       for (BezierPiece& piece : here) path_.pieces.push_back({piece, i, false, 0});
       if (i + 1 == fixed_.size()) return std::move(path_);
       std::vector<BezierPiece> next = curve(fixed_[i + 1], options_.continuity);
       const double done = static_cast<double>(i) / static_cast<double>(fixed_.size());
       const Progress at = progress.part(done, done).named("link");  // a search does not know when it ends
-      join(i, here.back(), next.front(), at);
+      if (next.empty()) return NoPath{NoPath::Reason::no_length, i + 1};
+      if (const auto none = join(i, here.back(), next.front(), at)) return *none;
       here = std::move(next);
     }
   }
@@ -149,14 +144,15 @@ class Maker {
     FoundLink link;
     BezierPiece piece;
   };
-  using Both = std::array<Found, 2>;
+  using Both = std::array<std::optional<Found>, 2>;  // none without room
   /// The passage of a post at the same place of the turn before.
   struct Passed {
     std::optional<std::size_t> place;  ///< place of PostPassage::beside(); none: the point was on the slot's radius
     bool exhausted = false;            ///< no place was enough
   };
 
-  void join(std::size_t i, const BezierPiece& before, const BezierPiece& after, Progress progress) {
+  /// Appends the links behind fixed piece i. Returns why there are none.
+  std::optional<NoPath> join(std::size_t i, const BezierPiece& before, const BezierPiece& after, Progress progress) {
     const FixedPiece &from = fixed_[i], &to = fixed_[i + 1];
     const SplineJet begin = before.at(1), end = after.at(0);
     const bool out = is_slot(from);
@@ -172,8 +168,8 @@ class Maker {
           return Both{find(i, 0, {begin, middle}, progress), find(i, 1, {middle, end}, progress)};
         },
         progress);
-    take(i, both[0], out ? 1 : 0);
-    take(i, both[1], out ? 0 : 1);
+    if (const auto none = take(i, both[0], out ? 1 : 0)) return none;
+    return take(i, both[1], out ? 0 : 1);
   }
 
   /// `links(point)` returns both links by way of a point. The source's point is used wherever the needle keeps its
@@ -184,8 +180,8 @@ class Maker {
     const ExtraPoint source = on_the_radius(way, options_.extra_point);
     if (posts_ == nullptr) return links(source);
     const auto room = [&](const Both& both, bool posts_only) {
-      if (both[0].link.cusped() || both[1].link.cusped()) return -unlimited;
-      const std::array curves{both[0].piece, both[1].piece};
+      if (!both[0] || !both[1] || both[0]->link.cusped() || both[1]->link.cusped()) return -unlimited;
+      const std::array curves{both[0]->piece, both[1]->piece};
       return posts_only ? posts_->from_posts(way.coil, curves, progress) : posts_->from_all(way.coil, curves, progress);
     };
     Passed& passed = passed_[{fixed_[i].kind, fixed_[i].region, fixed_[i + 1].kind, 0}];
@@ -201,11 +197,9 @@ class Maker {
     return best;
   }
 
-  Found find(std::size_t i, std::size_t part, const LinkEnds& ends, Progress progress) {
+  std::optional<Found> find(std::size_t i, std::size_t part, const LinkEnds& ends, Progress progress) {
     const FixedPiece &from = fixed_[i], &to = fixed_[i + 1];
-    if (!(norm(place(ends.after[0]) - place(ends.before[0])) > shortest))
-      throw Infeasible("no room for a link between " + where(from) + " and " + where(to) +
-                       (from.kind == to.kind ? "" : ": raise needle.change_radius or needle.change_height"));
+    if (!(norm(place(ends.after[0]) - place(ends.before[0])) > shortest)) return std::nullopt;
     // The link at this place of the turn before is nearly equal; that of a previous coil may be exactly equal.
     const Place at{from.kind, from.region, to.kind, part};
     std::optional<FoundLink>& known = known_[at];
@@ -215,13 +209,14 @@ class Maker {
     if (same == nullptr) all.remember(ends, found);
     known.reset();
     if (!found.cusped()) known = found;
-    return {ends, found, link(options_.continuity, ends, found.best.shape)};
+    return Found{ends, found, link(options_.continuity, ends, found.best.shape)};
   }
-  void take(std::size_t i, const Found& found, double share) {
-    if (found.link.cusped())
-      throw Infeasible("no link without a cusp found between " + where(fixed_[i]) + " and " + where(fixed_[i + 1]));
-    path_.links.push_back({i, path_.pieces.size(), found.ends, found.link.best, turned_angle(found.piece)});
-    path_.pieces.push_back({found.piece, i, true, share});
+  std::optional<NoPath> take(std::size_t i, const std::optional<Found>& found, double share) {
+    if (!found) return NoPath{NoPath::Reason::no_room, i};
+    if (found->link.cusped()) return NoPath{NoPath::Reason::cusp, i};
+    path_.links.push_back({i, path_.pieces.size(), found->ends, found->link.best, turned_angle(found->piece)});
+    path_.pieces.push_back({found->piece, i, true, share});
+    return std::nullopt;
   }
 
   const std::vector<FixedPiece>& fixed_;
@@ -251,15 +246,15 @@ std::vector<BezierPiece> NeedlePath::curves() const {
 
 NurbsPath NeedlePath::united() const { return bahnwerk::united(curves()); }
 
-NeedlePath needle_path(const std::vector<FixedPiece>& pieces, bool stator, const LinkOptions& options,
-                       Progress progress, const PostPassage* posts) {
+Expected<NeedlePath, NoPath> needle_path(const std::vector<FixedPiece>& pieces, bool stator, const LinkOptions& options,
+                                         Progress progress, const PostPassage* posts) {
   std::vector<InputFault> faults;
   if (options.continuity < 1 || options.continuity > 4)
     faults.push_back({{"path", "continuity"}, "is not a whole number from 1 to 4"});
   if (!(options.extra_point >= 0 && options.extra_point <= 1))
     faults.push_back({{"path", "extra_point"}, "is not a number from 0 to 1"});
   if (!faults.empty()) throw InvalidInput(std::move(faults));
-  if (pieces.empty()) return {};
+  if (pieces.empty()) return NeedlePath{};
   return Maker(pieces, stator, options, posts).run(progress);
 }
 

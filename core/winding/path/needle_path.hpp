@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/expected.hpp"
 #include "core/base/progress.hpp"
 #include "core/geometry/spline/nurbs_path.hpp"
 #include "core/winding/needle/support_points.hpp"
@@ -42,12 +43,22 @@ struct NeedlePath {
   NurbsPath united() const;
 };
 
+/// Why there is no path.
+struct NoPath {
+  enum class Reason {
+    no_length,  ///< the fixed piece has none
+    no_room,    ///< there is no room for a link from the fixed piece to the next one
+    cusp        ///< no such link without a cusp was found
+  } reason;
+  std::size_t fixed;  ///< index of the fixed piece
+};
+
 /// `stator` says whether links between slot and winding head have an extra point. `posts` are the obstacles of that
 /// point in a stator; it is moved only where a post is in the way (core/winding/path/post_passage.hpp). Each link
-/// starts its search from the shape of the link at this place of the turn before. Throws Infeasible where two fixed
-/// pieces leave no room for a link, InvalidInput naming path.continuity or path.extra_point. 1.5 ms per link of a
+/// starts its search from the shape of the link at this place of the turn before. Throws InvalidInput naming
+/// path.continuity or path.extra_point. 1.5 ms per link of a
 /// stator, 1 ms of a rotor; beside posts the first turn takes up to 0.3 s more.
-NeedlePath needle_path(const std::vector<FixedPiece>& pieces, bool stator, const LinkOptions& options,
-                       Progress progress, const PostPassage* posts = nullptr);
+Expected<NeedlePath, NoPath> needle_path(const std::vector<FixedPiece>& pieces, bool stator, const LinkOptions& options,
+                                         Progress progress, const PostPassage* posts = nullptr);
 
 }  // namespace bahnwerk::winding

@@ -33,7 +33,7 @@ class Sum final : public RowCheck {
     sum_ += row[0];
   }
   bool reads() const override { return reads_; }
-  std::vector<Check> checks() override { return {{{CheckedQuantity::named, 0, "1", "sum"}, 0, sum_, 0, true}}; }
+  std::vector<Check> checks() override { return {{named(CheckGroup::limit, "sum", "1"), 0, sum_, 0, true}}; }
 
  private:
   bool reads_;

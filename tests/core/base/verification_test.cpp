@@ -6,7 +6,7 @@
 namespace bahnwerk {
 namespace {
 
-Check check(CheckedQuantity quantity, int order, std::string subject, bool passed = true) {
+Check check(const Quantity& quantity, int order, std::string subject, bool passed = true) {
   Check made;
   made.quantity = quantity, made.order = order, made.subject = std::move(subject), made.passed = passed;
   return made;
@@ -14,32 +14,32 @@ Check check(CheckedQuantity quantity, int order, std::string subject, bool passe
 
 TEST(Verification, ChecksAreFoundByQuantityOrderAndSubject) {
   Verification verdict{true, {}, {}};
-  verdict.add(std::vector<Check>{check(CheckedQuantity::axis, 2, "x"), check(CheckedQuantity::axis, 3, "x"),
-                                 check(CheckedQuantity::axis, 2, "y")});
-  EXPECT_EQ(verdict.find(CheckedQuantity::axis, 2, "y"), &verdict.checks[2]);
-  EXPECT_EQ(verdict.find(CheckedQuantity::axis, 3, "x"), &verdict.checks[1]);
-  EXPECT_EQ(verdict.find(CheckedQuantity::axis, 4, "x"), nullptr);
-  EXPECT_EQ(verdict.find(CheckedQuantity::path, 2, "x"), nullptr);
-  EXPECT_EQ(verdict.find(CheckedQuantity::axis, 2), nullptr);
+  verdict.add(
+      std::vector<Check>{check(quantity::axis, 2, "x"), check(quantity::axis, 3, "x"), check(quantity::axis, 2, "y")});
+  EXPECT_EQ(verdict.find(quantity::axis, 2, "y"), &verdict.checks[2]);
+  EXPECT_EQ(verdict.find(quantity::axis, 3, "x"), &verdict.checks[1]);
+  EXPECT_EQ(verdict.find(quantity::axis, 4, "x"), nullptr);
+  EXPECT_EQ(verdict.find(quantity::path, 2, "x"), nullptr);
+  EXPECT_EQ(verdict.find(quantity::axis, 2), nullptr);
 }
 
 TEST(Verification, OneCheckThatFailsFailsTheWhole) {
   Verification verdict{true, {}, {}};
-  verdict.add(check(CheckedQuantity::axis, 1, "x"));
+  verdict.add(check(quantity::axis, 1, "x"));
   EXPECT_TRUE(verdict.passed);
-  verdict.add(check(CheckedQuantity::axis, 1, "y", false));
-  verdict.add(check(CheckedQuantity::axis, 1, "z"));
+  verdict.add(check(quantity::axis, 1, "y", false));
+  verdict.add(check(quantity::axis, 1, "z"));
   EXPECT_FALSE(verdict.passed);
 }
 
 TEST(Check, DerivativesFallWhereTheMotionIsSlower) {
   for (int order = 1; order <= 4; ++order)
-    for (const auto quantity : {CheckedQuantity::axis, CheckedQuantity::path, CheckedQuantity::joint_step})
+    for (const Quantity& quantity : {quantity::axis, quantity::path, quantity::joint_step})
       EXPECT_TRUE(falls_with_speed(check(quantity, order, "x"))) << order;
-  EXPECT_FALSE(falls_with_speed(check(CheckedQuantity::axis, 0, "x"))) << "a range is left at any speed";
-  EXPECT_FALSE(falls_with_speed(check(CheckedQuantity::continuity, 1, "")));
-  EXPECT_FALSE(falls_with_speed(check(CheckedQuantity::rows, 1, "")));
-  EXPECT_FALSE(falls_with_speed(check(CheckedQuantity::coverage, 0, "")));
+  EXPECT_FALSE(falls_with_speed(check(quantity::axis, 0, "x"))) << "a range is left at any speed";
+  EXPECT_FALSE(falls_with_speed(check(quantity::continuity, 1, "")));
+  EXPECT_FALSE(falls_with_speed(check(quantity::rows, 1, "")));
+  EXPECT_FALSE(falls_with_speed(check(quantity::rows_end, 0, "")));
 }
 
 TEST(Bound, GapsAreFractionsFromBothSides) {

@@ -44,8 +44,8 @@ TEST(Travel, ActiveSetPlansTheOpenLawWhereItRests) {
   Progress progress;
   MotionLawProblem open = strokes(false), onward = strokes(true);
   open.points[1].section[1] = onward.points[1].section[1] = {};
-  const LawSolution a = solve_active_set(open, angles(open), progress);
-  const LawSolution b = solve_active_set(onward, angles(onward), progress);
+  const LawSolution a = *solve_active_set(open, angles(open), progress);
+  const LawSolution b = *solve_active_set(onward, angles(onward), progress);
   EXPECT_NEAR(b.value.objective, a.value.objective, 1e-9 * a.value.objective);
   for (double t = 0; t < 100; t += 1) EXPECT_NEAR(b.law.evaluate(t, 0), a.law.evaluate(t, 0), 1e-9);
 }
@@ -99,7 +99,7 @@ TEST(Travel, AStraightSectionOverTheEndOfTheCycleHasItsMeanVelocity) {
   knife.points[1].law = ClassicalLaw::straight;  // from 380 to 420, at 28.8 in 40
   knife.method = LawMethod::optimal;
   for (const LawSolution& law :
-       {plan_optimal_law(knife, progress).solution, solve_active_set(knife, {20, 380}, progress)})
+       {plan_optimal_law(knife, progress).solution, *solve_active_set(knife, {20, 380}, progress)})
     for (const double t : {381.0, 395.0, 400.0, 419.0}) {
       EXPECT_NEAR(law.law.evaluate(t, 0), 345.6 + 0.72 * (t - 380), 1e-9);
       EXPECT_NEAR(law.law.evaluate(t, 1), 0.72, 1e-9);

@@ -9,8 +9,8 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/numeric/random.hpp"
-#include "core/plan/contour_plan.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/plan/contour/contour_plan.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/check_names.hpp"
 

@@ -29,12 +29,15 @@ struct PathPlanFiveAxes : testing::Test {
 
   void SetUp() override {
     planning.path = planning.moving = std::make_shared<const KinematicAxisPath>(contour.path, kinematics);
-    planning.machine = {kinematics.axes(), 0.001};
     planning.feeds = planning.feeds_to_verify = contour.feeds();
     planning.rests = contour.rest_places();
   }
+  void plan_by(PlanningMethod method) {
+    planning.method = method_row(method);
+    planning.machine = held_limits({kinematics.axes(), 0.001}, planning.method);
+  }
   PathPlan plan(PlanningMethod method) {
-    planning.method = method;
+    plan_by(method);
     Progress progress;
     PathPlan plan = plan_along(planning, progress);
     for (const Check& check : plan.verification.checks)
@@ -88,7 +91,7 @@ TEST_F(PathPlanFiveAxes, DwellsLastAndCount) {
 
 TEST_F(PathPlanFiveAxes, VerifiedAreTheFeedsThatWereGiven) {
   for (double& feed : planning.feeds_to_verify) feed = 20;  // the plan knows 150
-  planning.method = PlanningMethod::time_optimal;
+  plan_by(PlanningMethod::time_optimal);
   Progress progress;
   const PathPlan p = plan_along(planning, progress);
   EXPECT_FALSE(p.verification.passed);

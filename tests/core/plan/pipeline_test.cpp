@@ -30,7 +30,7 @@ struct Move final : MotionProblem {
   Verification verify() override {
     const double speed = 10 / (planned * slowed);
     Verification verdict{true, {}, {}};
-    verdict.add(Check{{CheckedQuantity::axis, 1, "mm", "x"}, allowed, speed, 0, speed <= allowed * (1 + 1e-12)});
+    verdict.add(Check{{quantity::axis, 1, "mm", "x"}, allowed, speed, 0, speed <= allowed * (1 + 1e-12)});
     return verdict;
   }
   bool correct(const Verification& verdict) override {
@@ -51,7 +51,7 @@ struct Move final : MotionProblem {
     std::size_t rows = 0;
     void row(std::size_t, const double*) override { ++rows; }
     std::vector<Check> checks() override {
-      return {{{CheckedQuantity::rows_count, 0, "1"}, 0, static_cast<double>(rows), 0, false}};
+      return {{{quantity::rows_count, 0, "1"}, 0, static_cast<double>(rows), 0, false}};
     }
   };
   std::size_t counted = 0;

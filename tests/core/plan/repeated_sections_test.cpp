@@ -6,7 +6,7 @@
 #include "core/base/progress.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/law/block_times.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/motion/sheet.hpp"
 
 namespace bahnwerk {

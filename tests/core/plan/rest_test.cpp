@@ -7,7 +7,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/contour/gcode.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"

@@ -6,7 +6,7 @@
 #include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/numeric/random.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -41,10 +41,10 @@ TEST(SplinePlan, LastsWholeCyclesAndIsVerifiedUpToTheSnap) {
   EXPECT_EQ(plan.duration, T);
   EXPECT_EQ(plan.cycles.count, 301u);
   EXPECT_NEAR(plan.motion->duration(), 0.301, 1e-15);
-  const Check* snap = plan.verification.find(CheckedQuantity::axis, 4, "x");
+  const Check* snap = plan.verification.find(quantity::axis, 4, "x");
   ASSERT_NE(snap, nullptr);
   EXPECT_NEAR(snap->value, snap->limit * std::pow(T / 0.301, 4), 1e-9 * snap->limit);
-  EXPECT_NE(plan.verification.find(CheckedQuantity::rows, 4), nullptr);
+  EXPECT_NE(plan.verification.find(quantity::rows, 4), nullptr);
   EXPECT_NEAR(plan.bound.gap, T / 0.25 - 1, 1e-12);
   ASSERT_EQ(plan.setpoints->columns().size(), 10u);
   EXPECT_EQ(plan.setpoints->columns()[6].name, "jx");
@@ -65,7 +65,7 @@ TEST(SplinePlan, LargerExcessesFail) {
   Progress progress;
   const MotionPlan plan = plan_spline(planning(0.9), progress);
   EXPECT_FALSE(plan.verification.passed);
-  EXPECT_FALSE(plan.verification.find(CheckedQuantity::axis, 1, "x")->passed);
+  EXPECT_FALSE(plan.verification.find(quantity::axis, 1, "x")->passed);
   EXPECT_EQ(plan.duration, T);
 }
 
@@ -74,7 +74,7 @@ TEST(SplinePlan, TheKindsOwnChecksCount) {
   SplinePlanning given = planning();
   given.more_checks = [](const Motion& motion) {
     EXPECT_NEAR(motion.duration(), 0.301, 1e-15) << "as served";
-    return std::vector<Check>{{{CheckedQuantity::named, 0, "mm", "tube"}, 1, 2, 0, false}};
+    return std::vector<Check>{{named(CheckGroup::limit, "tube", "mm"), 1, 2, 0, false}};
   };
   const MotionPlan plan = plan_spline(given, progress);
   EXPECT_FALSE(plan.verification.passed);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/progress.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
 

@@ -23,11 +23,11 @@ namespace {
 PathPlanning planning_of(const MachinePath& machine, const Path& tool, PlanningMethod method) {
   PathPlanning planning;
   planning.path = planning.moving = machine.axes;
-  planning.machine = {machine.kinematics->axes(), 0.002};
+  planning.method = method_row(method);
+  planning.machine = held_limits({machine.kinematics->axes(), 0.002}, planning.method);
   planning.feeds = planning.feeds_to_verify = std::vector<double>(tool.size(), unlimited);
   planning.rests = std::vector<bool>(tool.size() + 1, false);
   planning.rests.front() = planning.rests.back() = true;
-  planning.method = method;
   return planning;
 }
 

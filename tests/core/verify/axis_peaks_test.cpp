@@ -16,7 +16,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/motion/axes/bow.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
@@ -244,7 +244,7 @@ TEST(VerifierAxes, NoAxisIsLeftOut) {
       AxisLimits& axis = less.axes[k];
       axis.of(order) *= 1e-3;
       const Verification v = verdict(path, contour, less, law, true);
-      const Check* check = v.find(CheckedQuantity::axis, order, axis.name);
+      const Check* check = v.find(quantity::axis, order, axis.name);
       ASSERT_NE(check, nullptr) << order << k;
       EXPECT_FALSE(check->passed) << check_name(*check);
       EXPECT_EQ(check->unit, k == 0 || k == 1 || k == 3 ? "rad" : "mm") << check_name(*check);

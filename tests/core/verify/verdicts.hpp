@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/verify/reference.hpp"
 

@@ -9,7 +9,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/path_motion.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
@@ -162,7 +162,7 @@ TEST(VerifierJerk, PathSnapIsTheLargestOfAnyPiece) {
     ContourVerifierInput input{contour, m, law, 1e-3, true};
     input.path.snap = share * snap;
     const Verification v = verify_motion(input, silent);
-    const Check* check = v.find(CheckedQuantity::path, 4);
+    const Check* check = v.find(quantity::path, 4);
     ASSERT_NE(check, nullptr);
     EXPECT_DOUBLE_EQ(check->value, snap);
     EXPECT_EQ(check->passed, share > 1);

@@ -49,14 +49,14 @@ TEST(Strained, NotANumberStays) {
   kept.raise(1, 0, 3);
   EXPECT_TRUE(std::isnan(kept.value));
   EXPECT_EQ(kept.at, 1);
-  EXPECT_FALSE(make_check("a", "1", kept).passed);
+  EXPECT_FALSE(make_check(named(CheckGroup::limit, "a", "1"), kept).passed);
 }
 
 TEST(Strained, NothingStrainsNothing) {
   Strained kept;
   kept.raise(0, 0, 4);
   EXPECT_EQ(kept.value, 0);
-  EXPECT_TRUE(make_check("a", "1", kept).passed);
+  EXPECT_TRUE(make_check(named(CheckGroup::limit, "a", "1"), kept).passed);
 }
 
 TEST(Worst, KeepsTheLargestAndWhatIsNotANumber) {

@@ -19,7 +19,7 @@ using namespace testing_problems;
 
 LawSolution solved(const MotionLawProblem& problem, const ActiveSetOptions& options = {}) {
   Progress progress;
-  return solve_active_set(problem, angles(problem), progress, options);
+  return *solve_active_set(problem, angles(problem), progress, options);
 }
 std::vector<std::string> fault_places(const MotionLawProblem& problem) {
   std::vector<std::string> out;

@@ -16,11 +16,11 @@ TEST(AngleSearch, AFreeAngleIsNoWorseThanAnyOfAFineGrid) {
   MotionLawProblem p = problem(140, false, {rest(0, 0), point(70, 4, {number(20)}), rest(140, 45)});
   p.points[1].at = {40, 100};
   Progress progress;
-  const LawSolution found = plan_active_set(p, progress);
+  const LawSolution found = *plan_active_set(p, progress);
   EXPECT_GE(found.at[1], 40);
   EXPECT_LE(found.at[1], 100);
   for (double at = 40; at <= 100; at += 2.5)
-    EXPECT_LE(found.value.objective, solve_active_set(p, {0, at, 140}, progress).value.objective * (1 + 1e-9)) << at;
+    EXPECT_LE(found.value.objective, solve_active_set(p, {0, at, 140}, progress)->value.objective * (1 + 1e-9)) << at;
 }
 
 TEST(AngleSearch, FaultsThatNoAngleMendsAreThoseOfTheSpline) {

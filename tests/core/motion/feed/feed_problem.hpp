@@ -14,7 +14,7 @@
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/feed/constant_feed.hpp"
 #include "core/numeric/random.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk::test {

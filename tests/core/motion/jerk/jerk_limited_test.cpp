@@ -7,7 +7,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/numeric/random.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/motion/reference/jerk_curves.hpp"
 #include "tests/core/motion/same_bits.hpp"

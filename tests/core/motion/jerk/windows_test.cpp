@@ -8,7 +8,7 @@
 #include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"

@@ -15,7 +15,7 @@
 #include "core/geometry/curve/rational.hpp"
 #include "core/motion/law/law_between.hpp"
 #include "core/numeric/random.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/check_names.hpp"
 

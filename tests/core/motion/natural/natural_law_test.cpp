@@ -11,7 +11,7 @@
 #include "core/base/progress.hpp"
 #include "core/geometry/curve/line.hpp"
 #include "core/geometry/curve/rational.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk {

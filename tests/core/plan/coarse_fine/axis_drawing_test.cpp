@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/base/progress.hpp"
-#include "core/plan/contour_drawing.hpp"
+#include "core/plan/contour/contour_drawing.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 
 namespace bahnwerk {

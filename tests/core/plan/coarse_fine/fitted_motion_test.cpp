@@ -88,7 +88,7 @@ TEST(FittedMotion, AnAxisThatFollowsATinyArcFarAlongThePathIsContinuousButForThe
   const CoarseFineToVerify input{*path, slowed, fitted, coarse_axes, fine_axes};
   Progress progress;
   for (const Check& check : coarse_fine_checks(input, progress)) {
-    if (check.quantity != CheckedQuantity::continuity) continue;
+    if (check.quantity != quantity::continuity) continue;
     EXPECT_TRUE(check.passed) << check_name(check) << " " << check.value << " " << check.limit;
   }
 }

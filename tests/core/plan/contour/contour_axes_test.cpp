@@ -16,7 +16,7 @@
 #include "core/machine/polar_machine.hpp"
 #include "core/machine/rotary_delta.hpp"
 #include "core/machine/scara_machine.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/source.hpp"
 
@@ -211,12 +211,12 @@ TEST(ContourAxes, AMatrixOfOnesIsTheCartesianMachine) {
 
 TEST(ContourAxes, ChecksAreInTheUnitsOfTheAxes) {
   const ContourPlan p = verified(plate(), polar(), PlanningMethod::time_optimal);
-  const Check* check = p.verification.find(CheckedQuantity::axis, 1, "theta");
+  const Check* check = p.verification.find(quantity::axis, 1, "theta");
   ASSERT_NE(check, nullptr);
   EXPECT_EQ(check->unit, "deg");
   EXPECT_NEAR(check->limit, 360, 1e-9);
   const ContourPlan xy = verified(plate(), corexy(), PlanningMethod::time_optimal);
-  check = xy.verification.find(CheckedQuantity::axis, 2, "A");
+  check = xy.verification.find(quantity::axis, 2, "A");
   ASSERT_NE(check, nullptr);
   EXPECT_NEAR(check->limit, 12000, 1e-9);
   EXPECT_GT(check->value, 11000);

@@ -7,7 +7,7 @@
 #include "core/base/progress.hpp"
 #include "core/contour/gcode.hpp"
 #include "core/motion/law/path_motion.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 namespace {

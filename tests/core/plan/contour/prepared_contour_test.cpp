@@ -22,33 +22,36 @@ const Machine machine{
 TEST(PreparedContour, CornersStayWhereNoRoundingIsAskedFor) {
   Progress silent;
   ContourPlanning planning;
-  planning.method = PlanningMethod::jerk_limited;
+  planning.method = PlanningMethod::time_optimal;
   const auto given = corner();
   const PreparedContour p = prepare_contour(given, machine, planning, silent.part(0, 0));
-  EXPECT_EQ(p.driven, given);
-  EXPECT_EQ(p.path.path->axes(), 3u);
-  EXPECT_EQ(p.path.moving->axes(), 2u) << "the third axis stands still";
-  EXPECT_EQ(p.path.feeds, (std::vector<double>{30, 30}));
-  EXPECT_EQ(p.path.feeds_to_verify, p.path.feeds);
-  EXPECT_EQ(p.path.rests, (std::vector<bool>{false, false, true}));
-  ASSERT_EQ(p.path.dwells.size(), 1u);
-  EXPECT_EQ(p.path.method, PlanningMethod::jerk_limited);
-  EXPECT_EQ(p.path.planned, nullptr);
+  EXPECT_EQ(p.given, given);
+  EXPECT_EQ(p.rounded, nullptr);
+  EXPECT_EQ(p.moving.axes.size(), 2u) << "the third axis stands still";
+  EXPECT_EQ(p.held.axes[0].jerk, unlimited) << "the method limits none";
+  const PathPlanning path = path_planning(p, given, planning);
+  EXPECT_EQ(path.path->axes(), 3u);
+  EXPECT_EQ(path.moving->axes(), 2u);
+  EXPECT_EQ(path.feeds, (std::vector<double>{30, 30}));
+  EXPECT_EQ(path.feeds_to_verify, path.feeds);
+  EXPECT_EQ(path.rests, (std::vector<bool>{false, false, true}));
+  ASSERT_EQ(path.dwells.size(), 1u);
+  EXPECT_EQ(path.method.method, PlanningMethod::time_optimal);
 }
 
-TEST(PreparedContour, RoundedCornersComeWithTheirLaw) {
+TEST(PreparedContour, RoundedCornersKeepTheFeedsOfTheirBlocks) {
   Progress silent;
   ContourPlanning planning;
   planning.method = PlanningMethod::jerk_limited;
   planning.corner_mode = CornerMode::blend;
   planning.blend_tolerance = 0.05;
-  const auto given = corner();
-  const PreparedContour p = prepare_contour(given, machine, planning, silent.part(0, 0.1));
-  EXPECT_GT(p.driven->path.size(), 2u);
-  EXPECT_LT(p.driven->path.length(), given->path.length());
-  ASSERT_NE(p.path.planned, nullptr);
-  EXPECT_NEAR(p.path.planned->law.pieces().back().s_end, p.driven->path.length(), 1e-9);
-  for (const double feed : p.path.feeds_to_verify) EXPECT_EQ(feed, 30);
+  const PreparedContour p = prepare_contour(corner(), machine, planning, silent.part(0, 0.1));
+  ASSERT_NE(p.rounded, nullptr);
+  EXPECT_GT(p.rounded->path.size(), 2u);
+  EXPECT_LT(p.rounded->path.length(), p.given->path.length());
+  ASSERT_EQ(p.sections.size(), 1u);
+  EXPECT_TRUE(p.sections[0].changed);
+  for (const double feed : path_planning(p, p.rounded, planning).feeds_to_verify) EXPECT_EQ(feed, 30);
 }
 
 }  // namespace

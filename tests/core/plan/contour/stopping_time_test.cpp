@@ -32,7 +32,7 @@ TEST(StoppingTime, IsALowerBoundAndExactOnLines) {
     Machine m = testing::random_machine(random, dimension);
     for (AxisLimits& axis : m.axes) axis.jerk = axis.acceleration * std::pow(10, random.uniform(0.5, 3));
     for (const PlanningMethod method : {PlanningMethod::time_optimal, PlanningMethod::jerk_limited}) {
-      const Machine held = held_limits(m, method_row(method), dimension);
+      const Machine held = held_limits(m, method_row(method));
       EXPECT_GT(least(contour, held), 0);
       EXPECT_LE(least(contour, held), verified_plan(contour, m, method, 0).duration);
     }

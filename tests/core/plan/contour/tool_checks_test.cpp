@@ -9,7 +9,7 @@
 #include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
 #include "core/machine/polar_machine.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk {

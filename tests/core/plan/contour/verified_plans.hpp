@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/progress.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk::test {

@@ -27,7 +27,7 @@ std::vector<winding::FixedPiece> supported(const WindingRequest& request, std::o
   lay_coils(request, plan, progress);
   winding::NeedleModel model = request.model;
   model.pivot_limit = swivel;
-  return needle_support(request, plan.turns, model, progress);
+  return *needle_support(request, plan.turns, model, progress);
 }
 
 TEST(NeedleSupport, EverySwivelTriedWithOneLimitIsTriedWithEveryLargerOne) {

@@ -17,7 +17,7 @@ namespace bahnwerk {
 namespace {
 
 Check check(const char* axis, double value, double limit) {
-  return {{CheckedQuantity::axis, 1, "mm", axis}, limit, value, 0.5, value <= limit};
+  return {{quantity::axis, 1, "mm", axis}, limit, value, 0.5, value <= limit};
 }
 
 Verification failed() {

@@ -10,7 +10,7 @@
 #include "core/base/progress.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/verify/reference.hpp"
 

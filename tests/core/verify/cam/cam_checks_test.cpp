@@ -75,7 +75,7 @@ Verification checked(const CamToVerify& cam, double rise = usual) {
   return out;
 }
 bool passed(const Verification& v, const std::string& name) {
-  const Check* check = v.find(CheckedQuantity::named, 0, name);
+  const Check* check = v.find({{}, CheckGroup::geometry}, 0, name);
   EXPECT_NE(check, nullptr) << name;
   return check && check->passed;
 }

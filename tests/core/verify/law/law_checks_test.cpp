@@ -8,7 +8,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/verify/verdicts.hpp"
 

@@ -34,11 +34,11 @@ class Rows final : public SetpointSource {
 Verification held(double velocity, double acceleration, double jerk, double path) {
   Verification v;
   v.passed = true;
-  v.add(Check{{CheckedQuantity::axis, 1, "rad", "q"}, velocity, 0, 0, true});
-  v.add(Check{{CheckedQuantity::axis, 2, "rad", "q"}, acceleration, 0, 0, true});
-  v.add(Check{{CheckedQuantity::axis, 3, "rad", "q"}, jerk, 0, 0, true});
-  v.add(Check{{CheckedQuantity::end_rest, 1}, 0, 0, 0, true});
-  v.add(Check{{CheckedQuantity::path, 1}, path, 0, 0, true});
+  v.add(Check{{quantity::axis, 1, "rad", "q"}, velocity, 0, 0, true});
+  v.add(Check{{quantity::axis, 2, "rad", "q"}, acceleration, 0, 0, true});
+  v.add(Check{{quantity::axis, 3, "rad", "q"}, jerk, 0, 0, true});
+  v.add(Check{{quantity::end_rest, 1}, 0, 0, 0, true});
+  v.add(Check{{quantity::path, 1}, path, 0, 0, true});
   return v;
 }
 std::vector<Check> checked(const Rows& rows, const Verification& motion) {

@@ -15,7 +15,7 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/setpoints/contour_setpoints.hpp"
 #include "core/verify/bound/lower_bound.hpp"
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/motion/setpoints/slowed.hpp"
 #include "tests/core/verify/reference.hpp"

@@ -102,7 +102,7 @@ TEST(KeptClear, LeansTheWireAsFarAsAWallAsks) {
     const Wall wall(face);
     return kept_clear(
                along, across, support, [&](const NeedlePose& p) { return room(p, needle, {&wall}); }, 0.1)
-        .pose.tip;
+        ->pose.tip;
   };
   EXPECT_EQ(at(1.2).y, 0) << "room enough: unchanged";
   EXPECT_EQ(at(1.1).y, 0);
@@ -118,13 +118,13 @@ TEST(KeptClear, ImpossibleDirectionsAreNoneAndThoseOfTheWireItselfAnError) {
   const NeedleShape needle{2, 30};
   const Wall wall(0);
   const auto left = [&](const NeedlePose& p) { return room(p, needle, {&wall}); };
-  const auto half = [](Vec3 way) {
-    if (way.y < 0) throw Infeasible("not that way");
+  const auto half = [](Vec3 way) -> Expected<SupportPoint, NoSupport> {
+    if (way.y < 0) return NoSupport::backwards;
     return SupportPoint{{7.0 * way, 0, 0}, 0, pi / 2};
   };
-  EXPECT_EQ(kept_clear({0, 0, -1}, {0, 1, 0}, half, left, 0.1).pose.tip.y, 0);
-  const auto none = [](Vec3) -> SupportPoint { throw Infeasible("no way"); };
-  EXPECT_THROW(kept_clear({0, 0, -1}, {0, 1, 0}, none, left, 0.1), Infeasible);
+  EXPECT_EQ(kept_clear({0, 0, -1}, {0, 1, 0}, half, left, 0.1)->pose.tip.y, 0);
+  const auto none = [](Vec3) -> Expected<SupportPoint, NoSupport> { return NoSupport::no_direction; };
+  EXPECT_EQ(kept_clear({0, 0, -1}, {0, 1, 0}, none, left, 0.1).reason(), NoSupport::no_direction);
 }
 
 template <class Part>

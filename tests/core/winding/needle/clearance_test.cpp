@@ -106,7 +106,7 @@ TEST(Clearance, PivotShiftOpensTheSlotsSides) {
     for (const double x : {-1.2, -0.6, 0.6, 1.2}) {
       const Vec3 place{79.3 + depth, x, 100};
       const auto with = [&](std::optional<double> limit) {
-        const NeedlePose pose = slot_support(place, along, 2, 1, pivot, limit).pose;
+        const NeedlePose pose = slot_support(place, along, 2, 1, pivot, limit)->pose;
         return clearance({still(pose.tip, pose.phi)}, {2.6, 60}, {&iron}, 1e-6, silent).minimum;
       };
       const double straight = with(std::nullopt), shifted = with(0.3);

@@ -279,7 +279,7 @@ TEST(SlotSupport, SwivelsAboutThePivotUpToTheLimit) {
     const Vec3 along = unit(Vec3{0, 0, -1} + lean * std::cos(around) * e + lean * std::sin(around) * t);
     const double limit = random.uniform(0, 0.3);
     const double rho = random.uniform(0, 3);
-    const SupportPoint s = slot_support(place, along, rho, 1, pivot, limit);
+    const SupportPoint s = *slot_support(place, along, rho, 1, pivot, limit);
     expect_leads_to(s, place, along, rho, 1, i);
     EXPECT_LE(std::abs(s.pivot_shift), limit + 1e-12);
     EXPECT_NEAR(std::remainder(s.pose.phi - azimuth(s.pose.tip) - s.pivot_shift, 2 * pi), 0, 1e-12);
@@ -300,16 +300,16 @@ TEST(SlotSupport, SwivelsAboutThePivotUpToTheLimit) {
 }
 
 TEST(SlotSupport, AWireInTheSlotsMiddleNeedsNoShift) {
-  const SupportPoint s = slot_support({90, 0, 0}, {0, 0, -1}, 5, 2, {79, 0, 0}, 0.3);
+  const SupportPoint s = *slot_support({90, 0, 0}, {0, 0, -1}, 5, 2, {79, 0, 0}, 0.3);
   EXPECT_NEAR(norm(s.pose.tip - Vec3{85, 0, -7}), 0, 1e-12);
   EXPECT_EQ(s.pivot_shift, 0);
   EXPECT_EQ(s.pose.phi, 0);
   // 2 mm beside it, 11 mm behind the pivot: the axis leans by atan(2/11), less the tip's own azimuth.
-  const SupportPoint beside = slot_support({90, 2, 0}, {0, 0, -1}, 5, 2, {79, 0, 0}, 0.3);
+  const SupportPoint beside = *slot_support({90, 2, 0}, {0, 0, -1}, 5, 2, {79, 0, 0}, 0.3);
   EXPECT_NEAR(beside.pose.phi, std::atan2(2, 11), 1e-12);
   EXPECT_NEAR(beside.pivot_shift, std::atan2(2, 11) - azimuth(beside.pose.tip), 1e-12);
   // No shift allowed: straight outwards.
-  const SupportPoint none = slot_support({90, 2, 0}, {0, 0, -1}, 5, 2, {79, 0, 0}, 0);
+  const SupportPoint none = *slot_support({90, 2, 0}, {0, 0, -1}, 5, 2, {79, 0, 0}, 0);
   EXPECT_NEAR(none.pose.phi, std::atan2(2, 90), 1e-12);
   EXPECT_EQ(none.pivot_shift, 0);
 }
@@ -339,11 +339,12 @@ TEST(SupportPoints, ImpossibleOnesAreRefused) {
   EXPECT_EQ(refused(model), "pull.force");
   model = {};
   model.pull.bend_radius = 200;  // beyond the axis
-  EXPECT_THROW(support_points(part, w.coils, w.turns, model), Infeasible);
+  Progress silent;
+  EXPECT_EQ(support_points(part, w.coils, w.turns, model, silent).reason(), NoSupport::beyond_axis);
   EXPECT_TRUE(support_points(part, w.coils, {}, {}).empty());
   std::vector<Turn> none = w.turns;
   none[0].at[1].end = none[0].at[1].begin = none[0].at[1].held;
-  EXPECT_THROW(support_points(part, w.coils, none, {}), Infeasible) << "regions without distance";
+  EXPECT_EQ(support_points(part, w.coils, none, {}, silent).reason(), NoSupport::no_distance);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ struct Passing {
 
   NeedlePath path(bool beside) const {
     Progress progress;
-    return needle_path(pieces, true, options, progress, beside ? &posts : nullptr);
+    return *needle_path(pieces, true, options, progress, beside ? &posts : nullptr);
   }
   /// The least over the links.
   double room(const NeedlePath& path) const {

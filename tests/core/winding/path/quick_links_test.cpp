@@ -24,7 +24,7 @@ struct Paths {
   NeedlePath smooth;
   explicit Paths(bool stator, std::size_t turns) : pieces(stator ? stator_pieces(turns) : rotor_pieces(turns)) {
     Progress progress;
-    smooth = needle_path(pieces, stator, options, progress);
+    smooth = *needle_path(pieces, stator, options, progress);
   }
   QuickLinks quick(const PieceTimer& time) const {
     Progress progress;

@@ -1,4 +1,4 @@
-#include "core/plan/contour_outline.hpp"
+#include "core/plan/contour/contour_outline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/plan/slow_lines.hpp"
+#include "core/plan/contour/slow_lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,24 +16,24 @@ struct Line {
   double time = 0;
 };
 
-/// Returns all limits in a fixed order: feed, the axes' velocity, acceleration and jerk, the path's acceleration and
-/// jerk, a dwell.
+/// All limits in a fixed order: feed, the axes' velocity, acceleration and jerk, the path's acceleration and jerk, a
+/// dwell, none.
 class Reasons {
  public:
   Reasons(const Machine& machine, const Limits& along) : machine_(machine), along_(along) {
-    names_.push_back("feed");
-    for (const char* what : {"velocity ", "acceleration ", "jerk "})
-      for (const AxisLimits& axis : machine.axes) names_.push_back(what + axis.name);
-    names_.insert(names_.end(), {"path acceleration", "path jerk", "dwell"});
+    using Kind = ActiveLimit::Kind;
+    limits_.push_back({Kind::feed});
+    for (int order = 1; order <= 3; ++order)
+      for (const AxisLimits& axis : machine.axes) limits_.push_back({Kind::axis, order, axis.name});
+    limits_.insert(limits_.end(), {{Kind::path, 2}, {Kind::path, 3}, {Kind::dwell}, {Kind::none}});
   }
 
-  std::size_t count() const { return names_.size(); }
-  const std::string& name(std::size_t i) const { return names_[i]; }
-  std::size_t dwell() const { return names_.size() - 1; }
+  const std::vector<ActiveLimit>& limits() const { return limits_; }
+  std::size_t dwell() const { return limits_.size() - 2; }
 
-  /// Returns the limit that is closest to being active; count() if none is.
+  /// Returns the index of the limit that is closest to being active.
   std::size_t at(const MotionState& x, const LawState& law, double feed) const {
-    std::size_t best = count(), i = 0;
+    std::size_t best = limits_.size() - 1, i = 0;
     double most = binds;
     const auto offer = [&](double value, double limit) {
       if (const double part = std::abs(value) / limit; part >= most) best = i, most = part;
@@ -52,7 +52,7 @@ class Reasons {
  private:
   const Machine& machine_;
   Limits along_;
-  std::vector<std::string> names_;
+  std::vector<ActiveLimit> limits_;
 };
 
 }  // namespace
@@ -82,7 +82,7 @@ std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machin
   for (std::size_t i = 0; i < lines.size(); ++i) row[lines[i].source] = i;
   const Reasons reasons(machine, along);
   std::vector<SlowLine> report(lines.size());
-  std::vector<std::vector<double>> times(lines.size(), std::vector<double>(reasons.count() + 1, 0));
+  std::vector<std::vector<double>> times(lines.size(), std::vector<double>(reasons.limits().size(), 0));
   for (std::size_t i = 0; i < path.size(); ++i)
     if (const std::size_t r = row[path[i].source()]; r != none) {
       report[r].length += path[i].length();
@@ -109,8 +109,7 @@ std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machin
     report[r].time = lines[r].time;
     report[r].share = std::min(1.0, lines[r].time / motion.duration());
     const auto most = std::max_element(times[r].begin(), times[r].end());
-    const auto reason = static_cast<std::size_t>(most - times[r].begin());
-    if (reason < reasons.count()) report[r].limit = reasons.name(reason);
+    report[r].limit = reasons.limits()[static_cast<std::size_t>(most - times[r].begin())];
     report[r].limit_share = std::min(1.0, *most / lines[r].time);
   }
   return report;

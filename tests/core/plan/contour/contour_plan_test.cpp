@@ -1,6 +1,6 @@
 /// Random contours and limits: every plan is verified, within its bound, and behaves as physics says.
 /// 2 000 cases in eight shards.
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/contour/builder.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 #include "tests/core/plan/contour/verified_plans.hpp"
 #include "tests/core/plan/random_contour.hpp"
 

@@ -1,5 +1,5 @@
 // The table of the lines that cost most time: whose they are, how long, and why.
-#include "core/plan/slow_lines.hpp"
+#include "core/plan/contour/slow_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/contour/gcode.hpp"
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -28,7 +28,7 @@ TEST(SlowLines, NamesLineTimeAndLimit) {
   ASSERT_EQ(p.slow_lines.size(), 3u);
   // 100 mm at 100 mm/s; the dwell belongs to the segment before which it stands.
   EXPECT_EQ(p.slow_lines[0].source, 1u);
-  EXPECT_EQ(p.slow_lines[0].limit, "feed");
+  EXPECT_EQ(p.slow_lines[0].limit.kind, ActiveLimit::Kind::feed);
   EXPECT_NEAR(p.slow_lines[0].time, 1 + 100.0 / 16000, 2e-3);
   EXPECT_DOUBLE_EQ(p.slow_lines[0].length, 100);
   EXPECT_DOUBLE_EQ(p.slow_lines[0].feed, 100);
@@ -36,7 +36,8 @@ TEST(SlowLines, NamesLineTimeAndLimit) {
   EXPECT_GT(p.slow_lines[0].limit_share, 0.95);
   for (const SlowLine& line : p.slow_lines)
     if (line.source == 2) {  // 80 mm at 4000 mm/s² are over before 900 mm/s are reached
-      EXPECT_EQ(line.limit, "acceleration y");
+      EXPECT_EQ(line.limit.order, 2);
+      EXPECT_EQ(line.limit.axis, "y");
     }
   double sum = 0;
   for (const SlowLine& line : p.slow_lines) sum += line.share;
@@ -46,14 +47,14 @@ TEST(SlowLines, NamesLineTimeAndLimit) {
 TEST(SlowLines, ADwellIsAReason) {
   const ContourPlan p = plan("G1 X10 F60000\nG4 P3\nY10\n");
   ASSERT_FALSE(p.slow_lines.empty());
-  EXPECT_EQ(p.slow_lines[0].limit, "dwell");
+  EXPECT_EQ(p.slow_lines[0].limit.kind, ActiveLimit::Kind::dwell);
   EXPECT_GE(p.slow_lines[0].time, 3);
 }
 
 TEST(SlowLines, JerkBindsOnShortMoves) {
   const ContourPlan p = plan("G1 X1 F600000\nY1\n", PlanningMethod::jerk_limited);
   ASSERT_EQ(p.slow_lines.size(), 2u);
-  for (const SlowLine& line : p.slow_lines) EXPECT_TRUE(line.limit.starts_with("jerk")) << line.limit;
+  for (const SlowLine& line : p.slow_lines) EXPECT_EQ(line.limit.order, 3);
 }
 
 TEST(SlowLines, ListsAtMostTwentySlowestFirstForEveryMethod) {

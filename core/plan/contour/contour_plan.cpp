@@ -1,4 +1,4 @@
-#include "core/plan/contour_plan.hpp"
+#include "core/plan/contour/contour_plan.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -10,6 +10,7 @@
 #include "core/plan/contour/contour_faults.hpp"
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
+#include "core/plan/contour/rounding_choice.hpp"
 #include "core/plan/contour/section_gaps.hpp"
 #include "core/plan/contour/what_if.hpp"
 #include "core/plan/path_plan.hpp"
@@ -47,11 +48,13 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
   const auto given = std::make_shared<const Contour>(std::move(input));
   const double all = planning.what_if ? 0.25 : 1;  // part of the progress before `what_if` is planned
   const bool blended = planning.corner_mode == CornerMode::blend;
-  const double posed_at = blended ? 0.5 * all : 0.0, served = (blended ? 0.95 : 1.0) * all;
-  PreparedContour posed = prepare_contour(given, machine, planning, progress.part(0, posed_at));
-  const std::shared_ptr<const Contour> contour = std::move(posed.driven);
-  const ContourAxes& axes = *posed.axes;
-  PathPlanning& path = posed.path;
+  const double prepared_at = blended ? 0.1 * all : 0.0, chosen_at = blended ? 0.5 * all : 0.0,
+               served = (blended ? 0.95 : 1.0) * all;
+  const PreparedContour prepared = prepare_contour(given, machine, planning, progress.part(0, prepared_at));
+  DrivenContour driven = choose_rounding(prepared, planning, progress.part(prepared_at, chosen_at));
+  const std::shared_ptr<const Contour> contour = std::move(driven.contour);
+  const ContourAxes& axes = *prepared.axes;
+  PathPlanning path = path_planning(prepared, contour, planning);
   path.blocks = contour.get();
   path.setpoints = [&](const std::shared_ptr<const PathMotion>& motion, std::size_t cycles) {
     return setpoints(contour, axes, machine, motion, cycles);
@@ -65,7 +68,7 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
           {contour->path, axes.height(*contour), machine.coordinates, *axes.kinematics(), rows, columns}));
       return list;
     };
-  PathPlan planned = plan_along(path, progress.part(posed_at, served));
+  PathPlan planned = plan_along(path, progress.part(chosen_at, served), std::move(driven.law));
 
   const TimeLaw& sampled = planned.motion->law();
   show(axes, machine, planned.verification);
@@ -89,15 +92,14 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
   report_blocks(*contour, sampled, planned.cycles.factor, plan);
   report_joints(*contour, *path.moving, axes.shown(), sampled, planned.cycles.factor, planning.corner_angle, plan,
                 progress.part(all, all));
-  plan.slow_lines =
-      slow_lines(*planned.motion, held_limits(axes.machine(), method_row(planning.method), machine.dimension()),
-                 path.feeds, planning.along, slow_lines_listed, progress.part(all, all));
+  plan.slow_lines = slow_lines(*planned.motion, prepared.held, path.feeds, planning.along, slow_lines_listed,
+                               progress.part(all, all));
   plan.sections =
       section_gaps(*path.path, sampled, planned.cycles.factor, planned.section_bounds, progress.part(all, all));
   plan.verification = std::move(planned.verification);
   plan.setpoints = std::move(planned.setpoints);
   plan.path = contour;
-  plan.axes = posed.axes;
+  plan.axes = prepared.axes;
   plan.motion = std::move(planned.motion);
   if (planning.what_if) plan.what_if = what_if(given, machine, planning, progress.part(all, 1));
   return plan;

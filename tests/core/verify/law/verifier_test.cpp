@@ -1,5 +1,5 @@
 // The verifier on arcs, free-form curves and corners: true peaks with their moments, rests where they are needed.
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/plan/contour_drawing.hpp"
+#include "core/plan/contour/contour_drawing.hpp"
 
 #include <algorithm>
 #include <array>

@@ -12,8 +12,8 @@
 #include "core/contour/contour.hpp"
 #include "core/machine/tool_machine.hpp"
 #include "core/plan/contour/section_gaps.hpp"
+#include "core/plan/contour/slow_lines.hpp"
 #include "core/plan/method_options.hpp"
-#include "core/plan/slow_lines.hpp"
 
 namespace bahnwerk {
 

@@ -1,4 +1,4 @@
-#include "core/plan/contour_outline.hpp"
+#include "core/plan/contour/contour_outline.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 /// The drawing of a contour shows all of it, as exactly as it says, and never grows beyond its budget.
-#include "core/plan/contour_drawing.hpp"
+#include "core/plan/contour/contour_drawing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/verify/verifier.hpp"
+#include "core/verify/law/verifier.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -38,7 +38,7 @@ Verification verify_motion(const VerifierInput& input, Progress progress) {
   result.checks = std::move(axes.checks);
   result.too_fast = std::move(axes.too_fast);
   for (Check& check : verify::law_checks(input, stage_progress)) result.checks.push_back(std::move(check));
-  result.checks.push_back(verify::make_check(Checked{CheckedQuantity::arc_length}, axes.arc_length));
+  result.checks.push_back(verify::make_check({{"arc length", CheckGroup::geometry}}, axes.arc_length));
   result.passed = std::all_of(result.checks.begin(), result.checks.end(), [](const Check& c) { return c.passed; });
   stage_progress.done(1);
   stage_progress.report();

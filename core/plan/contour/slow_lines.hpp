@@ -11,6 +11,14 @@ namespace bahnwerk {
 
 class PathMotion;
 
+/// What keeps a motion from being faster.
+struct ActiveLimit {
+  /// none: nothing comes within 5 % of its limit, because of a braking reserve or a limit between two switches.
+  enum class Kind { none, feed, axis, path, dwell } kind = Kind::none;
+  int order = 0;          ///< of an axis and the path: the limited derivative
+  std::string axis = {};  ///< name of the axis
+};
+
 struct SlowLine {
   std::size_t source =
       0;              ///< source of the path's segments: a program's line, else the segment's number in the document
@@ -18,10 +26,7 @@ struct SlowLine {
   double share = 0;   ///< share of the motion's duration
   double length = 0;  ///< mm
   double feed = 0;    ///< mm/s, largest requested feed of its segments; infinite where none is requested
-  /// The limit that is active for most of its time: "feed", "velocity x", "acceleration y", "jerk z", "path
-  /// acceleration", "path jerk", "dwell", or "" if nothing comes within 5 % of its limit, because of a braking reserve
-  /// or a limit between two switches.
-  std::string limit;
+  ActiveLimit limit;  ///< the one that is active for most of its time
   double limit_share = 0;  ///< share of the line's time in which that limit is active
   bool stops = false;      ///< whether the motion rests on the line or at one of its ends
 };
