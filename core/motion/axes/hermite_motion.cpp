@@ -15,7 +15,8 @@ constexpr double velocity_counts = 1e-6;  // s
 
 bool still(const MotionState& x, std::size_t k) { return x[1][k] == 0 && x[2][k] == 0; }
 
-Polynomial quintic(double h, double x0, double v0, double a0, double x1, double v1, double a1) {
+Polynomial quintic(double h, const MotionState& left, const MotionState& right, std::size_t k) {
+  const double x0 = left[0][k], v0 = left[1][k], a0 = left[2][k], x1 = right[0][k], v1 = right[1][k], a1 = right[2][k];
   if (h < velocity_counts) return {x0, v0, 0.5 * a0, (a1 - a0) / (6 * h)};
   if (h < position_counts) {
     const double rest = (v1 - v0 - h * a0) / (h * h), change = (a1 - a0) / h;
@@ -48,7 +49,7 @@ void join(const SplineMotion::Piece& before, double duration, std::size_t first,
 
 Polynomial hermite_quintic(double h, const MotionState& left, const MotionState& right, std::size_t k) {
   if (still(left, k) && still(right, k) && left[0][k] == right[0][k]) return {left[0][k]};
-  return quintic(h, left[0][k], left[1][k], left[2][k], right[0][k], right[1][k], right[2][k]);
+  return quintic(h, left, right, k);
 }
 
 SplineMotion hermite_motion(const Motion& motion, std::size_t first, std::size_t last, double longest) {

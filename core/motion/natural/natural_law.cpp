@@ -59,12 +59,14 @@ struct Change {
   }
 };
 
-/// The change that asks least of the machine and takes no more than `room` mm; throws Infeasible.
-Change change(double v0, double a0, double v1, double a1, double room, double s, const Limits& limits) {
+/// Returns the change from the speed and acceleration of `from` to those of `to` that asks least of the machine and
+/// takes no more than `room` mm, which begin `s` mm along the path; throws Infeasible.
+Change change(const State& from, const State& to, double room, double s, const Limits& limits) {
   Change best;
   double least = unlimited;
   for (int i = 0; i <= durations_tried; ++i) {
-    const Change tried{v0, a0, v1, a1, room / reference_speed * std::pow(10.0, 4.0 * i / durations_tried - 3)};
+    const Change tried{from.v, from.a, to.v, to.a,
+                       room / reference_speed * std::pow(10.0, 4.0 * i / durations_tried - 3)};
     if (const double way = tried.way(); !(way > 0 && way <= room)) continue;
     if (const double excess = tried.excess(limits); excess < least) least = excess, best = tried;
   }
@@ -150,8 +152,8 @@ class NaturalPlanner {
   void pass_between(std::size_t begin, std::size_t end, const State& from, const State& to) {
     const Limits limits = along(begin, end);
     const double room = (to.s - from.s) / 2;
-    const Change rise = change(from.v, from.a, reference_speed, 0, room, from.s, limits),
-                 fall = change(reference_speed, 0, to.v, to.a, room, to.s - room, limits);
+    const State even{0, reference_speed, 0};
+    const Change rise = change(from, even, room, from.s, limits), fall = change(even, to, room, to.s - room, limits);
     const double falls = to.s - fall.way();
     State here = from;
     std::size_t i = begin;

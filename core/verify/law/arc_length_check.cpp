@@ -17,10 +17,11 @@ void ArcLengthCheck::believe(const LawPiece& piece, const Segment& segment, doub
   raise(std::abs(way - (piece.s_end - piece.s)), segment, way, piece.t0);
 }
 
-void ArcLengthCheck::measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1,
-                             int depth) {
+void ArcLengthCheck::measure(const LawPiece& piece, const Segment& segment, Place from, Place to, int halvings) {
+  const auto [u0, s0] = from;
+  const auto [u1, s1] = to;
   if (!(u1 > u0)) return;
-  const auto miss_of = [&](const ChebyshevRule& rule) {
+  const auto miss_of = [&, u0 = u0, u1 = u1, s0 = s0, s1 = s1](const ChebyshevRule& rule) {
     progress_.work(static_cast<std::size_t>(rule.points));
     double whole = 0;
     for (int i = 0; i < rule.points; ++i)
@@ -31,10 +32,11 @@ void ArcLengthCheck::measure(const LawPiece& piece, const Segment& segment, doub
   const double resolved = resolution(segment, s1 - s0), middle = u0 + 0.5 * (u1 - u0);
   double miss = miss_of(lobatto_rule(5));
   if (!(miss <= resolved)) miss = miss_of(lobatto_rule(9));
-  if (miss <= resolved || depth == 12 || !(middle > u0 && middle < u1)) return raise(miss, segment, s1 - s0, piece.t0);
-  const double s = segment.travelled(middle);
-  measure(piece, segment, u0, middle, s0, s, depth + 1);
-  measure(piece, segment, middle, u1, s, s1, depth + 1);
+  if (miss <= resolved || halvings == 12 || !(middle > u0 && middle < u1))
+    return raise(miss, segment, s1 - s0, piece.t0);
+  const Place half_way{middle, segment.travelled(middle)};
+  measure(piece, segment, from, half_way, halvings + 1);
+  measure(piece, segment, half_way, to, halvings + 1);
 }
 
 }  // namespace bahnwerk::verify

@@ -10,16 +10,19 @@ namespace bahnwerk::verify {
 /// Collects the largest error, mm, in relation to the error of quadrature and rounding.
 class ArcLengthCheck {
  public:
+  /// A place of a segment by the curve's parameter and by its length from the segment's begin, mm.
+  struct Place {
+    double u, s;
+  };
+
   /// `progress` has to outlive the object.
   explicit ArcLengthCheck(ProgressScope& progress) : progress_(progress) {}
 
   /// Compares the length that the law covers in a piece with the length of the segment's part, mm.
   void believe(const LawPiece& piece, const Segment& segment, double way);
-  /// Compares ∫|dh/du| du over [u0, u1] with the length from s0 to s1 of the segment, by Lobatto's rule, with more
-  /// points and on halved intervals until the rule resolves the integral.
-  void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1) {
-    measure(piece, segment, u0, u1, s0, s1, 0);
-  }
+  /// Compares ∫|dh/du| du between two places with the length between them, by Lobatto's rule, with more points and
+  /// on halved intervals until the rule resolves the integral.
+  void measure(const LawPiece& piece, const Segment& segment, Place from, Place to, int halvings = 0);
   /// Records an error of `miss` mm over a length of `way` mm at the time `when`.
   void raise(double miss, const Segment& segment, double way, double when);
   /// Returns the resolution of the quadrature over a length, mm.
@@ -28,8 +31,6 @@ class ArcLengthCheck {
   const Strained& worst() const { return worst_; }
 
  private:
-  void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1, int depth);
-
   ProgressScope& progress_;
   Strained worst_;
 };

@@ -210,7 +210,7 @@ class Sweeper {
     if (segment.curve().kind() == CurveKind::rational) {
       const double s0 = segment.travelled(u0), s1 = segment.travelled(u1);
       arc_length_.believe(piece, segment, s1 - s0);
-      arc_length_.measure(piece, segment, u0, u1, s0, s1);
+      arc_length_.measure(piece, segment, {u0, s0}, {u1, s1});
     }
     const bool open = segment.cusp_begin() || segment.cusp_end(), vanishing = discs(piece.segment).vanishing() > 0;
     peaks_.sweep(0, piece.duration, open, index_, [&](PeakSamples& samples) {

@@ -1,6 +1,7 @@
 #include "core/verify/law/law_checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -142,11 +143,13 @@ class LawChecker {
       acceleration_gap_.raise(std::max(std::abs(a0), std::abs(a1)), r0.acceleration + r1.acceleration, t);
       return;  // no velocity step remains at rest
     }
-    pass_joint(before.segment, after.segment, joint, v, a0, a1, t);
+    pass_joint(after.segment, joint, v, {a0, a1}, t);
   }
 
-  // Checks the jumps of the axes' velocities and accelerations where their derivatives along the path jump.
-  void pass_joint(std::size_t before, std::size_t after, const Joint& joint, double v, double a0, double a1, double t) {
+  // Checks the jumps of the axes' velocities and accelerations where their derivatives along the path jump; `a` are the
+  // accelerations along the path before and after.
+  void pass_joint(std::size_t after, const Joint& joint, double v, std::array<double, 2> a, double t) {
+    const std::size_t before = after - 1;
     const bool look = in_.check_jerk || !in_.path.cartesian();
     AxisJet l, r;
     if (look) {
@@ -159,7 +162,7 @@ class LawChecker {
       if (const double limit = axis.acceleration * in_.machine.cycle_time; limit < unlimited)
         raise(step_, std::abs(turn) * v, limit, t, k);
       if (const double limit = axis.jerk * in_.machine.cycle_time; in_.check_jerk && limit < unlimited)
-        raise(jump_, std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a1 - l.d1[k] * a0), limit, t, k);
+        raise(jump_, std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a[1] - l.d1[k] * a[0]), limit, t, k);
     }
   }
 

@@ -29,7 +29,7 @@ struct ArcLength : testing::Test {
 TEST_F(ArcLength, AWayAsLongAsTheCurveIsBelieved) {
   ArcLengthCheck check(stage_progress);
   check.believe(whole(), path[0], path.length());
-  check.measure(whole(), path[0], 0, 1, 0, path.length());
+  check.measure(whole(), path[0], {0, 0}, {1, path.length()});
   EXPECT_TRUE(passed(check)) << check.worst().value << " against " << check.worst().limit;
   EXPECT_LE(check.worst().limit, 1e-8);
 }
@@ -38,7 +38,7 @@ TEST_F(ArcLength, AWayThatIsALittleTooLongIsNot) {
   for (const double factor : {1 + 1e-9, 1 - 1e-9, 1.5}) {
     ArcLengthCheck believed(stage_progress), measured(stage_progress);
     believed.believe(whole(), path[0], factor * path.length());
-    measured.measure(whole(), path[0], 0, 1, 0, factor * path.length());
+    measured.measure(whole(), path[0], {0, 0}, {1, factor * path.length()});
     EXPECT_FALSE(passed(believed)) << factor;
     EXPECT_FALSE(passed(measured)) << factor;
   }
@@ -46,7 +46,7 @@ TEST_F(ArcLength, AWayThatIsALittleTooLongIsNot) {
 
 TEST_F(ArcLength, AnEmptyStretchSaysNothing) {
   ArcLengthCheck check(stage_progress);
-  check.measure(whole(), path[0], 0.5, 0.5, 1, 2);
+  check.measure(whole(), path[0], {0.5, 1}, {0.5, 2});
   EXPECT_EQ(check.worst().value, 0);
 }
 
