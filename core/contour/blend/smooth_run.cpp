@@ -12,6 +12,7 @@
 #include "core/contour/blend/smooth_spans.hpp"
 #include "core/geometry/curve/nurbs.hpp"
 #include "core/geometry/path/second_derivative_bound.hpp"
+#include "core/numeric/windows.hpp"
 
 namespace bahnwerk::blending {
 
@@ -206,17 +207,17 @@ class Inspection {
 };
 
 /// A spline between two places of an element run.
-struct Window {
+struct SmoothWindow {
   bool done = false;
   std::vector<double> breaks;
   TubeSpline spline;
   std::vector<double> failure_positions;  ///< places of failure, if not done
 };
 
-Window smooth_window(const ElementRun& stretch, const RunRange& range, TubeScale scale, const TubeEnd& begin,
-                     const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension,
-                     ProgressScope& progress) {
-  Window window;
+SmoothWindow smooth_window(const ElementRun& stretch, const RunRange& range, TubeScale scale, const TubeEnd& begin,
+                           const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension,
+                           ProgressScope& progress) {
+  SmoothWindow window;
   std::vector<double> extra;
   TubeProblem problem;
   problem.dimension = dimension;
@@ -265,96 +266,87 @@ class WindowedRun {
         rests_(rests || end_of_window(range.a, usual, range.b) < range.b) {}
 
   SmoothedRun run() {
-    run_.done = true;
     run_.breaks = {range_.a};
-    restart(range_.a, range_.clamped_begin);
-    while (run_.done && at_ < range_.b) {
-      const double end = end_of_window(at_, size_, stop_);
-      const bool all = at_ == range_.a && end == range_.b, last = end == stop_;
-      Window window = smooth_window(stretch_, {at_, end}, all ? scale_ : scale_.part(at_, end), begin_,
-                                    end_of(stretch_, end, end == range_.b && range_.clamped_end), tolerance_,
-                                    dimension_, progress_);
-      if (window.done)
-        take(window, last);
-      else if (before_.size > 0 && before_.size < largest)
-        join();
-      else if (!rests_ || !rest_near(window.failure_positions, end))
-        give_up(window);
-    }
+    const Place reached = solve_windows(from_rest(range_.a, range_.clamped_begin), range_.b,
+                                        [&](Place& here, Place* before) { return solve(here, before); });
+    run_.done = reached.begin >= range_.b;
     return std::move(run_);
   }
 
  private:
   static constexpr double usual = 1024, largest = 4096, overlap = 96;  // spline intervals; an end shows over some 60
 
+  struct Place {
+    double begin, stop;  // place of the element run, and the next rest behind it
+    TubeEnd state;
+    double size = usual;     // spline intervals of the window
+    bool free = true;        // whether it lies on the contour, not on a curve before it
+    std::size_t pieces = 0;  // number of pieces before it
+  };
+
   double end_of_window(double at, double size, double stop) const {
     const double end = scale_.ahead(at, size + overlap);
     return scale_.ahead(end, overlap) < stop ? end : stop;
   }
 
-  /// Goes on from a place of the contour, to the end of the run.
-  void restart(double at, bool clamped) {
-    at_ = at;
-    stop_ = range_.b;
-    begin_ = end_of(stretch_, at, clamped);
-    free_ = true;
-    size_ = usual;
-    before_.size = 0;
+  /// Returns a place of the contour, from which the curve goes on to the end of the run.
+  Place from_rest(double at, bool clamped) const {
+    return {at, range_.b, end_of(stretch_, at, clamped), usual, true, run_.pieces.size()};
+  }
+
+  /// The cut from which a window cannot continue may be the cause: it and the window before are merged. Otherwise the
+  /// window ends at a rest.
+  WindowResult<Place> solve(Place& here, Place* before) {
+    run_.pieces.resize(here.pieces);
+    run_.breaks.resize(here.pieces + 1);
+    const double end = end_of_window(here.begin, here.size, here.stop);
+    const bool all = here.begin == range_.a && end == range_.b;
+    SmoothWindow window =
+        smooth_window(stretch_, {here.begin, end}, all ? scale_ : scale_.part(here.begin, end), here.state,
+                      end_of(stretch_, end, end == range_.b && range_.clamped_end), tolerance_, dimension_, progress_);
+    if (window.done) return take(window, here, end == here.stop);
+    if (!here.free && here.size == usual && before->size < largest) {
+      before->size *= 2;
+      return WindowRetry::before;
+    }
+    if (rests_ && rest_near(window.failure_positions, here, end)) return WindowRetry::same;
+    if (!rests_ || !here.free) {
+      run_.pieces.clear();
+      run_.failure_positions = window.failure_positions;
+      return WindowRetry::none;
+    }
+    run_.pieces.emplace_back();  // the contour itself
+    run_.breaks.push_back(end);
+    return from_rest(end, false);
   }
 
   /// Takes the part of a window that its far end does not influence, all of the last one before a rest.
-  void take(Window& window, bool last) {
+  WindowResult<Place> take(SmoothWindow& window, const Place& here, bool last) {
     const std::size_t all = window.breaks.size() - 1, kept = last ? all : all - static_cast<std::size_t>(overlap);
     std::vector<Rational> pieces = Nurbs(spline_degree, window.spline.points, {}, window.spline.knots).pieces();
-    run_.done = pieces.size() == all;
-    if (!run_.done) return;
-    before_ = {at_, size_, begin_, free_, run_.pieces.size()};
+    if (pieces.size() != all) return WindowRetry::none;
     for (std::size_t k = 0; k < kept; ++k) {
       run_.pieces.emplace_back(std::move(pieces[k]));
       run_.breaks.push_back(window.breaks[k + 1]);
     }
-    if (last) return restart(stop_, false);
-    at_ = window.breaks[kept];
-    begin_ = {true, window.spline.at(kept, at_)};
-    free_ = false;
-    size_ = usual;
+    if (last) return from_rest(here.stop, false);
+    const double cut = window.breaks[kept];
+    return Place{cut, here.stop, {true, window.spline.at(kept, cut)}, usual, false, run_.pieces.size()};
   }
 
-  /// The cut from which a window cannot continue may be the cause: it and the window before are merged.
-  void join() {
-    at_ = before_.at, begin_ = before_.begin, free_ = before_.free;
-    size_ = 2 * before_.size;
-    run_.pieces.erase(run_.pieces.begin() + static_cast<std::ptrdiff_t>(before_.pieces), run_.pieces.end());
-    run_.breaks.resize(before_.pieces + 1);
-    before_.size = 0;
-  }
-
-  /// Ends the window at a joint near the first failure. A run without a joint is unchanged. Returns false if it cannot.
-  bool rest_near(const std::vector<double>& failure_positions, double end) {
-    const double failure = failure_positions.empty() ? 0.5 * (at_ + end) : failure_positions.front();
+  /// Ends the window at a joint near the first failure. Returns false if there is none.
+  bool rest_near(const std::vector<double>& failure_positions, Place& here, double end) const {
+    const double failure = failure_positions.empty() ? 0.5 * (here.begin + end) : failure_positions.front();
     const auto& elements = stretch_.elements;
     const auto inside = [&](std::size_t j) {
-      return j < elements.size() && elements[j].begin > at_ && elements[j].begin < end;
+      return j < elements.size() && elements[j].begin > here.begin && elements[j].begin < end;
     };
-    const std::vector<std::size_t> sharp = sharpest_joints(stretch_, at_, end, {failure}, 0);
-    const std::size_t here = stretch_.find(failure, 0);
-    std::size_t joint = sharp.empty() ? here : sharp.front();
+    const std::vector<std::size_t> sharp = sharpest_joints(stretch_, here.begin, end, {failure}, 0);
+    std::size_t joint = sharp.empty() ? stretch_.find(failure, 0) : sharp.front();
     if (!inside(joint)) ++joint;
-    if (inside(joint)) {
-      stop_ = elements[joint].begin;
-      return true;
-    }
-    if (!free_) return false;
-    run_.pieces.emplace_back();
-    run_.breaks.push_back(end);
-    restart(end, false);
+    if (!inside(joint)) return false;
+    here.stop = elements[joint].begin;
     return true;
-  }
-
-  void give_up(const Window& window) {
-    run_.done = false;
-    run_.pieces.clear();
-    run_.failure_positions = window.failure_positions;
   }
 
   const ElementRun& stretch_;
@@ -365,15 +357,6 @@ class WindowedRun {
   TubeScale scale_;
   bool rests_;
   SmoothedRun run_;
-  double at_ = 0, stop_ = 0, size_ = usual;
-  TubeEnd begin_;
-  bool free_ = true;  // at_ is on the contour
-  struct {
-    double at = 0, size = 0;
-    TubeEnd begin;
-    bool free = true;
-    std::size_t pieces = 0;
-  } before_;  // the window that was cut at at_; size 0: none
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/motion/grid/sections.hpp"
 #include "core/motion/law/repeated_law.hpp"
 #include "core/numeric/grow.hpp"
+#include "core/numeric/windows.hpp"
 
 namespace bahnwerk {
 
@@ -52,35 +53,39 @@ class SectionPlanner {
   /// there. If there is no such border, or the next window cannot continue from it, windows grow.
   void plan_long(std::size_t first, std::size_t last, Progress progress, AccelerationLimitedResult& result) {
     struct Place {
-      std::size_t segment, pieces, cells;
-      double entry, most;
+      std::size_t begin, pieces, cells;  // segment; sizes of the law before it
+      double entry, excess, window;      // v² there, largest excess before it, cells of the window
     };
     const std::size_t first_piece = result.law.pieces().size();
-    Place at{first, first_piece, result.cells, 0, 0}, before = at;
-    // Division increases their number, as in the windows before.
-    double window = window_cells_, grown = first_growth;
+    double grown = first_growth;  // division increases the number of cells, as in the windows before
     const auto fraction = [&](std::size_t segment) {
       const double begin = path_[first].s0(), end = path_[last - 1].s1();
       return ((segment < last ? path_[segment].s0() : end) - begin) / (end - begin);
     };
-    while (at.segment < last) {
-      const std::size_t end = reach(at.segment, last, window / grown);
-      ProgressScope stage_progress(progress.part(fraction(at.segment), fraction(end)), "planning");
-      solve(at.segment, end, at.entry, stage_progress, result);
+    const Place begin{first, first_piece, result.cells, 0, 0, window_cells_};
+    const Place at = solve_windows(begin, last, [&](Place& here, Place* before) -> WindowResult<Place> {
+      result.law.truncate(here.pieces);
+      result.cells = here.cells;
+      const std::size_t end = reach(here.begin, last, here.window / grown);
+      ProgressScope stage_progress(progress.part(fraction(here.begin), fraction(end)), "planning");
+      solve(here.begin, end, here.entry, stage_progress, result);
       const std::size_t keep = end == last ? window_.cells() : window_.border();
       if (!window_.enters() || keep == 0) {
-        if (!window_.enters()) at = before;
-        result.law.truncate(at.pieces);
-        window *= 2;
-        continue;
+        here.window *= 2;
+        if (window_.enters() || !before) return WindowRetry::same;
+        before->window = here.window;
+        return WindowRetry::before;
       }
-      before = at;
       write(keep, 1, result, stage_progress);
-      grown = std::max(1.0, static_cast<double>(window_.cells()) * grown / window);
-      at = {end == last ? last : window_.segment(keep), result.law.pieces().size(), result.cells, window_.node(keep),
-            std::max(at.most, window_.excess(keep))};
-    }
-    if (const double slow = slowing(at.most); slow > 1) result.law.slow_from(first_piece, slow);
+      grown = std::max(1.0, static_cast<double>(window_.cells()) * grown / here.window);
+      return Place{end == last ? last : window_.segment(keep),
+                   result.law.pieces().size(),
+                   result.cells,
+                   window_.node(keep),
+                   std::max(here.excess, window_.excess(keep)),
+                   here.window};
+    });
+    if (const double slow = slowing(at.excess); slow > 1) result.law.slow_from(first_piece, slow);
   }
 
   void solve(std::size_t first, std::size_t last, double entry, ProgressScope& stage_progress,

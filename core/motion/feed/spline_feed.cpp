@@ -14,6 +14,7 @@
 #include "core/motion/law/law_excess.hpp"
 #include "core/numeric/gauss_legendre.hpp"
 #include "core/numeric/optimise/optimise.hpp"
+#include "core/numeric/windows.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -48,15 +49,18 @@ class SplinePlanner {
     sample(stage_progress);
     start();
     const std::size_t first = SpeedSpline::fixed, last = control_.size() - SpeedSpline::fixed;
-    const std::size_t step = options_.window - options_.overlap, windows = (last - first + step - 1) / step;
-    for (std::size_t pass = 0, done = 0; pass < options_.passes; ++pass)
-      for (std::size_t begin = first; begin < last; begin += step, ++done) {
-        const auto share = [&](std::size_t n) {
-          return static_cast<double>(n) / static_cast<double>(options_.passes * windows);
+    const std::size_t step = options_.window - options_.overlap;
+    const WindowLengths lengths{step, options_.overlap, step};
+    for (std::size_t pass = 0; pass < options_.passes; ++pass)
+      solve_windows(first, last, [&](std::size_t begin, auto*) {
+        const Window window = lengths.at(begin, last);
+        const auto share = [&](std::size_t at) {
+          return (static_cast<double>(pass) + static_cast<double>(at - first) / static_cast<double>(last - first)) /
+                 static_cast<double>(options_.passes);
         };
-        const Progress part = progress_.part(share(done), share(done + 1)).named("spline feed");
-        improve(begin, std::min(begin + options_.window, last), part);
-      }
+        improve(begin, window.end, progress_.part(share(begin), share(window.keep)).named("spline feed"));
+        return window.keep;
+      });
     write();
     result_.law.slow(law_excess(task_, result_.law, options_.path, stage_progress));
     return std::move(result_);

@@ -8,6 +8,7 @@
 
 #include "core/motion/jerk/section.hpp"
 #include "core/numeric/grow.hpp"
+#include "core/numeric/windows.hpp"
 
 namespace bahnwerk {
 
@@ -37,8 +38,8 @@ constexpr std::size_t clear_cells = 4, farthest_cut = 64;
 
 template <int N, int M>
 bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, Progress progress) {
-  struct Place {  // beginning of a window, with the state there
-    std::size_t begin, cells, pieces;
+  struct Place {
+    std::size_t begin, cells, pieces, number;  // first cell, cells of the window, pieces before it, windows with it
     double slow;
     JerkNode entry;
     LargeVector<JerkNode> tail;
@@ -49,9 +50,8 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, Progress progres
   double reported = 0;
   pieces_.clear();
   overlap_ = 1;
-  std::vector<Place> places{{0, window, 0, 1, {}, {}}};
-  for (std::size_t failures = 0; places.back().begin < n;) {
-    Place& here = places.back();
+  std::size_t failures = 0;
+  const auto solve = [&](Place& here, Place* before) -> WindowResult<Place> {
     std::size_t end = 0;
     double reaches = reported;
     entry_ = here.entry;
@@ -72,25 +72,24 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, Progress progres
     // If the section failed as a whole, longer windows would fail, too.
     if (sped_up_ > untouched && overlap_ < longest_overlap && window == usual_window()) {
       overlap_ *= 2;
-      places.pop_back();
-      continue;
+      return WindowRetry::before;
     }
-    if (slow_ > well && ++failures <= max_failures(places.size()) && (places.size() > 1 || end < n)) {
-      if (places.size() > 1) places.pop_back();
-      places.back().cells *= 2;
-      continue;
+    if (slow_ > well && ++failures <= max_failures(here.number) && (before || end < n)) {
+      (before ? before : &here)->cells *= 2;
+      return WindowRetry::before;
     }
-    if (!(slow_ < good_enough)) break;
+    if (!(slow_ < good_enough)) return WindowRetry::none;
     reported = reaches;
-    places.push_back({end, window, pieces_.size(), std::max(here.slow, slow_), exit_, next_tail_});
-  }
+    return Place{end, window, pieces_.size(), here.number + 1, std::max(here.slow, slow_), exit_, next_tail_};
+  };
+  const Place reached = solve_windows(Place{0, window, 0, 1, 1, {}, {}}, n, solve);
   std::swap(grid_, section_grid_);
   std::swap(rough_, section_rough_);
   entry_ = exit_ = {};
   tail_.clear();
   keep_ = all_cells;
-  slow_ = places.back().slow;
-  return places.back().begin == n;
+  slow_ = reached.slow;
+  return reached.begin == n;
 }
 
 template <int N, int M>

@@ -7,10 +7,11 @@
 #include <cstddef>
 
 #include "core/motion/relaxation/relaxation.hpp"
+#include "core/numeric/windows.hpp"
 
 namespace bahnwerk {
 
-/// A solver for problems of any length, with N axes.
+/// A solver for problems of any length, with N axes: about 1 µs per cell of three axes.
 template <int N>
 class RelaxationWindows {
  public:
@@ -18,10 +19,10 @@ class RelaxationWindows {
   /// axes it would have to be so short that the overlap costs more than that saves.
   static constexpr std::size_t window = N > 3 ? 2400 : 1200;
   static constexpr std::size_t fading = 100;  ///< cells in which two windows are blended
-
-  /// Solves for any number of cells at once: about 1 µs per cell of three axes.
-  RelaxationMultipliers<N> solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options,
-                                 ProgressScope& progress);
+  /// Returns the lengths of windows, in cells; each begins `options.beyond` cells before those in which it counts.
+  static WindowLengths lengths(const RelaxationOptions& options) {
+    return {window, options.beyond, window + options.beyond};
+  }
 
   /// Solves the next window of the available cells `part`, which are a part of a longer problem. The window counts from
   /// cell `begin` on (0, or at least fading/2), where it continues the previous one. The multipliers of its last

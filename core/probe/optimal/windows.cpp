@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/windows.hpp"
 #include "core/probe/optimal/cell_rows.hpp"
 #include "core/probe/optimal/chain_problem.hpp"
 #include "core/probe/optimal/refine.hpp"
@@ -100,8 +101,8 @@ CellChain<D> plan_chain(const ChainLimits<D>& limits, std::size_t all_edges,
   begin.point = 0;
   begin.given = true;
   window.node.push_back(begin);
-  std::size_t from = 0, to = 0;  // the window's points
-  while (true) {
+  std::size_t to = 0;  // the last point of the window before
+  solve_windows(std::size_t{0}, edges, [&](std::size_t from, auto*) {
     std::size_t keep = edges, end = edges;
     if (edges - from > whole) {
       keep = look_ahead(limits, from + body, scale.braking);
@@ -132,11 +133,6 @@ CellChain<D> plan_chain(const ChainLimits<D>& limits, std::size_t all_edges,
     }
     renumber(window, 0, from);
     window.node.back().given = false;
-    if (keep == edges) {
-      done.node.insert(done.node.end(), window.node.begin(), window.node.end());
-      done.cell.insert(done.cell.end(), window.cell.begin(), window.cell.end());
-      return done;
-    }
     std::size_t cut = 0;
     while (window.node[cut].point < static_cast<int>(keep)) ++cut;
     const auto nodes = static_cast<std::ptrdiff_t>(cut);
@@ -144,9 +140,11 @@ CellChain<D> plan_chain(const ChainLimits<D>& limits, std::size_t all_edges,
     done.cell.insert(done.cell.end(), window.cell.begin(), window.cell.begin() + nodes);
     window.node.erase(window.node.begin(), window.node.begin() + nodes);
     window.cell.erase(window.cell.begin(), window.cell.begin() + nodes);
-    window.node.front().given = true;
-    from = keep;
-  }
+    window.node.front().given = keep < edges;
+    return keep;
+  });
+  done.node.push_back(window.node.back());
+  return done;
 }
 
 template CellChain<1> plan_chain<1>(const ChainLimits<1>&, std::size_t, const std::function<void(double)>&);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/numeric/windows.hpp"
 #include "core/redundant/chain/clusters.hpp"
 
 namespace bahnwerk {
@@ -95,7 +96,7 @@ WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainO
   all.states.resize(n + 1);
   all.controls.resize(n);
   double ahead = windows.ahead;
-  for (std::size_t first = 0; first < n;) {
+  solve_windows(std::size_t{0}, n, [&](std::size_t first, auto*) -> WindowResult<std::size_t> {
     std::size_t keep = std::min(first + windows.kept, n), last = keep;
     const auto further = [&](double time) {
       return time < windows.ahead || (time < ahead && last - keep < windows.kept);
@@ -107,7 +108,7 @@ WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainO
     const ChainSolution<order> s = solve_raising_penalty(window, options);
     all.iterations += static_cast<std::size_t>(s.iterations);
     const double before = std::exchange(ahead, std::max(windows.ahead, windows.own_times * own_time(window, s)));
-    if (first == 0 && last < n && last - keep < windows.kept && ahead > much_further * before) continue;
+    if (first == 0 && last < n && last - keep < windows.kept && ahead > much_further * before) return WindowRetry::same;
     std::copy_n(s.states.begin(), keep - first + 1, all.states.begin() + static_cast<std::ptrdiff_t>(first));
     std::copy_n(s.controls.begin(), keep - first, all.controls.begin() + static_cast<std::ptrdiff_t>(first));
     if (s.excess > windows.followed) {
@@ -115,8 +116,8 @@ WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainO
       for (const Cluster<order>& c : found) all.exceeds.emplace_back(first + c.first, first + c.last);
       if (found.empty()) all.exceeds.emplace_back(first, last);  // it does not come to rest
     }
-    first = keep;
-  }
+    return keep;
+  });
   all.energy = energy_of(chain, all);
   return all;
 }

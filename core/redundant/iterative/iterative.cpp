@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/numeric/windows.hpp"
 #include "core/redundant/iterative/coarse_motion.hpp"
 
 namespace bahnwerk {
@@ -124,31 +125,31 @@ class Planner {
 
   /// Plans in windows by Algorithm 4.2; windows begin where the head rests.
   bool windowed() {
+    struct Place {
+      std::size_t begin;  // section
+      std::vector<SplineBegin> state;
+    };
     const std::size_t n = sections().size();
-    std::vector<SplineBegin> begin = at_head();
     std::optional<SplitPart> before;  // solved, and kept up to where this window begins
-    std::size_t first = 0, kept = 0;
-    while (first < n) {
-      const std::size_t last = window_end(first);
-      std::optional<SplitPart> part = split_.solve(first, last, begin);
+    const Place reached = solve_windows(Place{0, at_head()}, n, [&](const Place& here, auto*) -> WindowResult<Place> {
+      const std::size_t last = window_end(here.begin);
+      std::optional<SplitPart> part = split_.solve(here.begin, last, here.state);
       if (!part) {
-        if (!before || before->last == first) return false;
+        if (!before || before->last == here.begin) return WindowRetry::none;
         keep(*before, before->last);  // to its end, at rest
         ++rescues_;
-        first = before->last;
-        begin = state(*before, before->coarse.front().duration());
+        Place rest{before->last, state(*before, before->coarse.front().duration())};
         before.reset();
-        continue;
+        return rest;
       }
-      if (before) keep(*before, kept);
+      if (before) keep(*before, here.begin);
       ++windows_;
-      kept = keeps(first, last);
-      begin = state(*part, time_of(*part, kept));
       before = std::move(part);
-      first = kept;
-    }
-    if (before) keep(*before, n);
-    return true;
+      const std::size_t kept = keeps(here.begin, last);
+      return Place{kept, state(*before, time_of(*before, kept))};
+    });
+    if (before) keep(*before, reached.begin);
+    return reached.begin == n;
   }
 
   bool long_move(std::size_t section) const {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numeric/windows.hpp"
+
 namespace bahnwerk::verify {
 namespace {
 
@@ -130,28 +132,34 @@ double JerkBound<N>::stretch(bool rest_first, bool rest_last) {
   if (!grid_.cartesian()) options.beyond = beyond, options.gap = kinematic_gap, options.violation = kinematic_violation;
   problem_.cells.clear(), problem_.steps.clear(), cell_of_.clear();
   for (Attempt& attempt : attempts_) attempt.total = 0;
+  const WindowLengths lengths = Windows::lengths(options);
   const Row limits = problem_.jerk;
-  std::size_t begin = 0, done = 0;  // cell from which the window counts, piece up to which values are added up
-  for (bool more = true; more;) {
-    more = pose(begin + Windows::window + options.beyond);
-    if (problem_.cells.empty()) return 0;
-    const std::size_t end = more ? begin + Windows::window : problem_.cells.size(),
-                      sure = more ? end - Windows::fading / 2 - 2 : end;  // cells whose multipliers are final
+  struct Place {
+    std::size_t begin = 0, done = 0;  // cell from which the window counts, piece up to which values are added up
+  };
+  std::size_t end = std::numeric_limits<std::size_t>::max();  // behind the last cell, once it is known
+  solve_windows(Place(), end, [&](const Place& here, auto*) {
+    const std::size_t first = here.begin - std::min(here.begin, options.beyond);  // the first cell of those at hand
+    if (!pose(here.begin - first + lengths.whole)) end = first + problem_.cells.size();
+    if (problem_.cells.empty()) return here;
+    const Window window = lengths.at(here.begin, end);
+    const bool more = window.keep < end;
+    const std::size_t sure =
+        window.keep - first - (more ? Windows::fading / 2 + 2 : 0);  // behind the final multipliers
     problem_.rest_first = rest_first && !pieces_.dropped(),
     problem_.rest_last = !more && rest_last && !pieces_.has(cell_of_.size());
     const auto until =
         static_cast<std::size_t>(std::lower_bound(cell_of_.begin(), cell_of_.end(), sure) - cell_of_.begin());
     for (Attempt& attempt : attempts_) {
       problem_.jerk = attempt.jerk;
-      const RelaxationMultipliers<N>& found = attempt.solver.next(problem_, begin, options, progress_);
-      attempt.total += dual_.value(pieces_.list(), done, until, cell_of_, problem_, found);
+      const RelaxationMultipliers<N>& found = attempt.solver.next(problem_, here.begin - first, options, progress_);
+      attempt.total += dual_.value(pieces_.list(), here.done, until, cell_of_, problem_, found);
     }
     problem_.jerk = limits;
-    if (!more) break;
     const std::size_t before = cell_of_.size();
-    forget(end - options.beyond);
-    begin = options.beyond, done = until - (before - cell_of_.size());
-  }
+    if (more) forget(window.keep - first - options.beyond);
+    return Place{window.keep, until - (before - cell_of_.size())};
+  });
   pieces_.drop(cell_of_.size());
   double best = 0;
   for (const Attempt& attempt : attempts_) best = std::max(best, attempt.total);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numeric/windows.hpp"
 #include "core/verify/bound/bound_grid.hpp"
 #include "core/verify/bound/bound_solver.hpp"
 #include "core/verify/bound/jerk_bound.hpp"
@@ -122,8 +123,8 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress progress, std
   }
   const double rules = path.cartesian() ? cartesian_rules : kinematic_rules;
   const std::size_t window = std::max(windows.segments, static_cast<std::size_t>(windows.nodes / expected)),
-                    behind = window / (expected < few_nodes ? part_behind_few : part_behind),
-                    whole = window + (path.cartesian() ? behind : window / 2);  // segments that are not parted
+                    behind = window / (expected < few_nodes ? part_behind_few : part_behind);
+  const WindowLengths lengths{window, behind, window + (path.cartesian() ? behind : window / 2)};
   double duration = 0;
   std::size_t nodes = 0, cells = 0;
   for (std::size_t first = 0, last = 1; first < path.size(); first = last++) {
@@ -140,33 +141,38 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress progress, std
       nodes += known->nodes, cells += known->cells;
       stage_progress.work(last - first);
     } else {
-      double section = 0, entry = 0;
+      struct Place {
+        std::size_t begin;  // segment
+        double entry = 0;   // v² there
+      };
+      double section = 0;
       const std::size_t nodes_before = nodes, cells_before = jerk.cells();
-      for (std::size_t begin = first, end = 0; begin < last; begin = end) {
-        end = last - begin > whole ? begin + window : last;
-        stage_progress.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
+      solve_windows(Place{first}, last, [&](const Place& here, auto*) {
+        const Window segments = lengths.at(here.begin, last);
+        const bool begins = here.begin == first, ends = segments.keep == last;
+        stage_progress.done(static_cast<double>(here.begin + segments.keep) / 2 / static_cast<double>(path.size()));
         std::size_t kept = 0;
         const auto part_without_jerk = [&](const Grade& grade, bool rebuild) {
           if (rebuild) {
             grid.widen(grade.wider);
-            grid.build(begin, end < last ? end + behind : last, begin == first, end == last);
-            if (begin > first) grid.enter(entry);
+            grid.build(here.begin, segments.end, begins, ends);
+            if (!begins) grid.enter(here.entry);
           }
           solve(grid, solver, marked, grade.effort);
-          kept = end < last ? grid.cells_before(end) : grid.order().size() - 1;
+          kept = ends ? grid.order().size() - 1 : grid.cells_before(segments.keep);
           return solver.duration(kept) * (1 - 1e-12 - 4e-16 * static_cast<double>(kept));
         };
         double part = part_without_jerk(rough, true);
         if (jerk.limited()) {
-          const double with = jerk.duration(solver.speed_squares(kept + 1), part, begin == first, end == last);
+          const double with = jerk.duration(solver.speed_squares(kept + 1), part, begins, ends);
           const bool rebuild = rough.wider > least.wider;
           if (with < (1 + rules) * part && (rebuild || !path.cartesian())) part = part_without_jerk(least, rebuild);
           part = std::max(part, with);
         }
         section += part;
         nodes += kept + 1;
-        entry = solver.speed_square(grid.order()[kept]) * (1 + 1e-12);
-      }
+        return Place{segments.keep, solver.speed_square(grid.order()[kept]) * (1 + 1e-12)};
+      });
       duration += section;
       cells += jerk.cells() - cells_before;
       repeated.add({first, last, section, nodes - nodes_before, jerk.cells() - cells_before});
