@@ -7,24 +7,26 @@
 
 #include "core/contour/blend/smooth_basis.hpp"
 #include "core/contour/blend/smooth_system.hpp"
+#include "core/numeric/interior_point/driver.hpp"
+#include "core/numeric/interior_point/feasible.hpp"
 
 namespace bahnwerk::blending {
 
 namespace {
 
 constexpr double first_penalty = 1, last_penalty = 1e9, penalty_factor = 100;
-constexpr double start_fill = 0.95;                // part of the radius at which the barrier replaces the penalty
-constexpr double final_mu = 1.5e-4, enough = 0.3;  // last μ; part of μ that a step may still gain at the end
+constexpr double start_fill = 0.95;  // part of the radius at which the barrier replaces the penalty
+constexpr double first_fall = 0.1;   // first μ, as a part of the mean complementarity of the penalty's multipliers
+constexpr double gap = 1e-4;         // of the barrier, relative to the sum of the weights
 constexpr int max_newton = 60;
-// μ falls to these parts of the mean complementarity, depending on the length of the last step.
-constexpr double far = 0.8, near = 0.3, after_far = 0.1, between = 0.2, after_near = 0.5;
-constexpr double to_the_wall = 0.98;  // part of the distance to the boundary of a site or a multiplier
 
-/// The method, in `Dim` coordinates.
+/// The method, in `Dim` coordinates. The slack of a site is s = r² − |residual|², its barrier has the weight of its
+/// gain.
 template <std::size_t Dim>
-class Solver {
+class Solver final : FeasibleProblem {
  public:
-  Solver(const TubeProblem& problem, ProgressScope& progress) : system_(problem, progress), terms_(system_.sites()) {}
+  Solver(const TubeProblem& problem, ProgressScope& progress)
+      : system_(problem, progress), terms_(system_.sites()), step_(system_.sites()) {}
 
   TubeSpline run() {
     TubeSpline out;
@@ -40,11 +42,7 @@ class Solver {
         break;
       }
     }
-    if (out.inside) start_multipliers(penalty);
-    for (int i = 0; out.inside && i < max_newton; ++i) {
-      ++out.steps;
-      if (step_barrier()) break;
-    }
+    if (out.inside) out.steps += static_cast<std::size_t>(solve_feasible(*this, options_after(penalty)).iterations);
     out.knots = system_.knots();
     out.points = system_.points();
     return out;
@@ -63,92 +61,83 @@ class Solver {
       terms_[i] = {pull, pull, 0};
     }
     system_.add_sites(terms_);
-    system_.solve();
+    system_.solve(0);
     system_.move(1);
   }
 
-  /// Returns r² − |residual|², which stays positive.
-  double room(std::size_t i) const {
-    return system_.radius(i) * system_.radius(i) - System::product(system_.residual(i), system_.residual(i));
-  }
-
-  /// Sets the multipliers for which the spline of that penalty is stationary: equal pulls.
-  void start_multipliers(double penalty) {
-    multiplier_.resize(system_.sites());
-    change_.resize(system_.sites());
-    step_.resize(system_.sites());
+  /// The multipliers begin as those for which the spline of the penalty is stationary: equal pulls.
+  FeasibleOptions options_after(double penalty) {
+    FeasibleOptions options;
+    options.gap = gap;
+    options.iterations = max_newton;
+    double sum = 0;
     for (std::size_t i = 0; i < system_.sites(); ++i) {
-      multiplier_[i] = 0.5 * penalty * system_.gain(i) / (system_.radius(i) * system_.radius(i));
+      options.weights.push_back(system_.gain(i));
+      options.start_multipliers.push_back(0.5 * penalty * system_.gain(i) / (system_.radius(i) * system_.radius(i)));
+      sum += options.start_multipliers[i] * room(i, system_.residual(i));
       total_ += system_.gain(i);
     }
-    settle();
+    options.start_mu = first_fall * sum / total_;
+    return options;
   }
-  void settle() {
-    system_.look_at_sites();
-    double sum = 0;
-    for (std::size_t i = 0; i < system_.sites(); ++i) sum += multiplier_[i] * room(i);
-    complementarity_ = sum / total_;
+  double room(std::size_t i, const Coordinates& residual) const {
+    return system_.radius(i) * system_.radius(i) - System::product(residual, residual);
   }
 
-  /// Takes one primal-dual step; returns true when it was the last one that matters. With the room s of a site and its
-  /// multiplier λ the spline is stationary for Σ 2 λ r, and λ s = μ g is what is aimed at: linearised, Δλ = (μ g + 2 λ
-  /// r·Δf)/s − λ. What is left for the control points descends along the logarithmic barrier, with λ in place of μ g/s
-  /// in its Hessian: that of the logarithm itself is far too stiff next to the tube's wall, where one site would hold
-  /// up all.
-  bool step_barrier() {
-    const double part = taken_ > far ? after_far : taken_ > near ? between : after_near;
-    const double mu = std::max(final_mu, part * complementarity_);
+  double objective() const override { return system_.energy(); }
+  double scale() const override { return total_; }
+  bool slacks(std::vector<double>& slack) const override {
+    slack.resize(system_.sites());
+    for (std::size_t i = 0; i < slack.size(); ++i)
+      if (!((slack[i] = room(i, system_.residual(i))) > 0)) return false;
+    return true;
+  }
+  bool step(const BarrierPoint& at) override {
     system_.start();
-    for (std::size_t i = 0; i < system_.sites(); ++i) {
-      const double s = room(i);
-      terms_[i] = {2 * mu * system_.gain(i) / s, 2 * multiplier_[i], 4 * multiplier_[i] / s};
-    }
+    for (std::size_t i = 0; i < system_.sites(); ++i)
+      terms_[i] = {2 * at.mu * system_.gain(i) / at.slack[i], 2 * at.multiplier[i], 4 * at.multiplier[i] / at.slack[i]};
     system_.add_sites(terms_);
-    slope_ = system_.right();
-    system_.solve();
-    double decrement = 0;
-    for (std::size_t i = 0; i < slope_.size(); ++i) decrement += slope_[i] * system_.right()[i];
-    // These are the largest step lengths before a site leaves its ball, or a multiplier becomes negative.
-    double longest = 1, dual = 1;
+    system_.solve(at.damping);
+    // The energy along the step is a parabola.
+    quadratic_ = linear_ = 0;
+    system_.energy_along(quadratic_, linear_);
+    for (std::size_t i = 0; i < system_.sites(); ++i) step_[i] = system_.step_at(i);
+    return std::isfinite(quadratic_ + linear_);
+  }
+  double changes(std::vector<double>& change) const override {
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] = -2 * System::product(step_[i], system_.residual(i));
+    return linear_;
+  }
+  /// A site leaves its ball earlier than the first order says.
+  double longest() const override {
+    double length = 1;
     for (std::size_t i = 0; i < system_.sites(); ++i) {
-      const Coordinates move = step_[i] = system_.step_at(i);
-      const double a = System::product(move, move), b = System::product(move, system_.residual(i)), c = room(i);
-      if (a > 0) longest = std::min(longest, to_the_wall * c / (b + std::sqrt(b * b + a * c)));
-      change_[i] = (mu * system_.gain(i) + 2 * multiplier_[i] * b) / c - multiplier_[i];
-      if (change_[i] < 0) dual = std::min(dual, -to_the_wall * multiplier_[i] / change_[i]);
+      const double a = System::product(step_[i], step_[i]), b = System::product(step_[i], system_.residual(i)),
+                   c = room(i, system_.residual(i));
+      if (a > 0) length = std::min(length, to_boundary * c / (b + std::sqrt(b * b + a * c)));
     }
-    if (!std::isfinite(decrement) || !(longest > 0)) return true;
-    // The energy along the step is a parabola; the logarithms are summed at each trial.
-    double quadratic = 0, linear = 0;
-    system_.energy_along(quadratic, linear);
-    const auto gain = [&](double x) {
-      double sum = x * (linear + 0.5 * x * quadratic);
-      for (std::size_t i = 0; i < system_.sites(); ++i) {
-        const double r2 = system_.radius(i) * system_.radius(i),
-                     before = r2 - System::product(system_.residual(i), system_.residual(i));
-        Coordinates moved = system_.residual(i);
-        for (std::size_t d = 0; d < Dim; ++d) moved[d] += x * step_[i][d];
-        sum -= mu * system_.gain(i) * std::log((r2 - System::product(moved, moved)) / before);
-      }
-      return sum;
-    };
-    double share = longest, gained = gain(share);
-    for (int i = 0; i < 12 && !(gained <= -0.1 * share * decrement); ++i) gained = gain(share *= 0.5);
-    if (!(gained <= 0)) return true;
-    system_.move(share);
-    for (std::size_t i = 0; i < system_.sites(); ++i) multiplier_[i] += dual * change_[i];
-    settle();
-    taken_ = std::min(share, dual);
-    return mu <= final_mu && decrement < enough * mu * total_;
+    return length;
+  }
+  bool go(double length, std::size_t /*curve*/, std::vector<double>& slack, double& objective) override {
+    length_ = length;
+    objective = system_.energy() + length * (linear_ + 0.5 * length * quadratic_);
+    for (std::size_t i = 0; i < slack.size(); ++i) {
+      Coordinates moved = system_.residual(i);
+      for (std::size_t d = 0; d < Dim; ++d) moved[d] += length * step_[i][d];
+      if (!((slack[i] = room(i, moved)) > 0)) return false;
+    }
+    return true;
+  }
+  void accept() override {
+    system_.move(length_);
+    system_.look_at_sites();
   }
 
   System system_;
-  std::vector<SiteTerm> terms_;              // term of each site
-  std::vector<Coordinates> step_;            // displacement of the spline at each site
-  std::vector<double> slope_;                // −gradient, by control points
-  std::vector<double> multiplier_, change_;  // λ of each site, and its step
-  double total_ = 0, complementarity_ = 0;   // Σ g, and Σ λ s / Σ g
-  double taken_ = 1;                         // part of the last step
+  std::vector<SiteTerm> terms_;                     // term of each site
+  std::vector<Coordinates> step_;                   // displacement of the spline at each site
+  double quadratic_ = 0, linear_ = 0, length_ = 0;  // of the energy along the step; how far it goes
+  double total_ = 0;                                // Σ of the gains
 };
 
 }  // namespace

@@ -1,13 +1,12 @@
 #pragma once
 /// The smoothest quintic spline through a tube of balls: it minimises ∫ w |f'''|² dt subject to |f(tᵢ) − pᵢ| < rᵢ.
 ///
-/// The method is a primal–dual interior-point method for ½∫w|f'''|² − μ Σ gᵢ log(1 − |f(tᵢ) − pᵢ|²/rᵢ²) with decreasing
-/// μ. It starts from a smoothing spline inside the tube (a quadratic penalty instead of the logarithm) and from the
-/// multipliers of that penalty. Newton's method for the logarithm itself could step no further than the site closest
-/// to its boundary allows: it takes 33 steps for 1 000 intervals of a rough surface instead of 18. The weights make the
-/// energy dimensionless and uniform: w = H⁵/ρ² per break interval, with H the length on which the tube lets a curve
-/// bend (its "scale") and ρ the tube's radius, so that rough and smooth regions of one contour have equal weight. All
-/// systems are banded: O(breaks + sites) per step, some 20 steps, 0.3 µs each per interval in the plane.
+/// The method is the primal–dual interior-point method of numeric/interior_point/feasible.hpp with the slacks rᵢ² −
+/// |f(tᵢ) − pᵢ|². It starts from a smoothing spline inside the tube (a quadratic penalty instead of the logarithm) and
+/// from the multipliers of that penalty. The weights make the energy dimensionless and uniform: w = H⁵/ρ² per break
+/// interval, with H the length on which the tube lets a curve bend (its "scale") and ρ the tube's radius, so that rough
+/// and smooth regions of one contour have equal weight. All systems are banded: O(breaks + sites) per step, some 20
+/// steps, 0.3 µs each per interval in the plane.
 #include <cstddef>
 #include <vector>
 

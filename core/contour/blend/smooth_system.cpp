@@ -156,7 +156,8 @@ void TubeSystem<Dim>::start() {
   system_ = energies_;
   times_energy(c_, pull_);
   right_.resize(points_ * Dim);
-  for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = -pull_[i];
+  energy_before_ = 0;
+  for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = -pull_[i], energy_before_ += 0.5 * c_[i] * pull_[i];
 }
 
 template <std::size_t Dim>
@@ -182,11 +183,12 @@ void TubeSystem<Dim>::keep_ends() {
 }
 
 template <std::size_t Dim>
-void TubeSystem<Dim>::solve() {
+void TubeSystem<Dim>::solve(double damping) {
   progress_.report();  // windows are too short for the steps that others count
+  for (std::size_t j = 0; damping > 0 && j < points_ * Dim; ++j) *system_.column(j) *= 1 + damping;
   keep_ends();
   work_in_lanes([&]() __attribute__((always_inline)) {
-    system_.factor(progress_);
+    system_.factor([&] { progress_.work(); });
     system_.solve(right_);
   });
 }

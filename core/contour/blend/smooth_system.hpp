@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/contour/blend/smooth.hpp"
-#include "core/contour/blend/smooth_band.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
+#include "core/numeric/linear/symmetric_band.hpp"
 
 namespace bahnwerk::blending {
 
@@ -76,10 +76,11 @@ class TubeSystem {
   /// Adds the terms of all sites; terms[i] belongs to site i.
   void add_sites(const std::vector<SiteTerm>& terms);
 
-  /// Returns the negative gradient before solve(), the step after it: Dim numbers per control point.
-  const std::vector<double>& right() const { return right_; }
-  /// Solves for the step. Control points that the end conditions determine stay unchanged.
-  void solve();
+  /// Solves for the step, with `damping` times the diagonal added to it. Control points that the end conditions
+  /// determine stay unchanged.
+  void solve(double damping);
+  /// Returns the energy before the step, as of start().
+  double energy() const { return energy_before_; }
   /// Returns the displacement of the spline at the site in the step.
   Coordinates step_at(std::size_t site) const { return value(rows_[site], right_); }
   /// Adds the derivatives of the energy along the step, at its beginning: the first one to `linear`, the second one to
@@ -139,14 +140,15 @@ class TubeSystem {
   ProgressScope& progress_;
   std::size_t points_;
   std::vector<double> knots_;
-  BandMatrix<spline_degree> energy_;             // Hessian of the energy for one coordinate
-  BandMatrix<spline_order * Dim - 1> energies_,  // Hessian of the energy for all coordinates
-      system_;                                   // Hessian of energy and sites
-  std::vector<double> c_;                        // control points, Dim coordinates each, and a few zeros behind them
-  std::size_t fixed_begin_ = 0, fixed_end_ = 0;  // number of control points that the end conditions determine
+  SymmetricBand<spline_degree> energy_;             // Hessian of the energy for one coordinate
+  SymmetricBand<spline_order * Dim - 1> energies_,  // Hessian of the energy for all coordinates
+      system_;                                      // Hessian of energy and sites
+  std::vector<double> c_;                           // control points, Dim coordinates each, and a few zeros behind them
+  std::size_t fixed_begin_ = 0, fixed_end_ = 0;     // number of control points that the end conditions determine
   LargeVector<TubeRow> rows_;
   std::vector<Coordinates> residual_;
   std::vector<double> right_, pull_;  // negative gradient or step; gradient of the energy
+  double energy_before_ = 0;
 };
 
 extern template class TubeSystem<2>;

@@ -120,7 +120,7 @@ JerkNode JerkSolver<M>::meet(const NodeBlock<Lane2>& blocks) const {
 }
 
 template <int M>
-void JerkSolver<M>::assemble(ProgressScope& progress) {
+void JerkSolver<M>::assemble() {
   move_nodes();
   std::size_t next_joint = 0, next_middle = 0;
   NodeBlock<Lane2> after;
@@ -129,7 +129,7 @@ void JerkSolver<M>::assemble(ProgressScope& progress) {
   JerkTotals<double> at_joints;
   Lane2 duration{};
   for (std::size_t g = 0; g < groups_; ++g) {
-    progress(lane_count * g, n_);
+    (*progress_)(lane_count * g, n_);
     NodeBlock<Lane2> now = assemble_nodes(g, totals);
     const CellMatrix<Lane2> K = assemble_cells(g, next_middle, totals);
     duration += cells_[g].law.T;
@@ -203,7 +203,7 @@ void JerkSolver<M>::direct_nodes(std::size_t i, std::size_t& next_joint, Lane2& 
 }
 
 template <int M>
-void JerkSolver<M>::direction(ProgressScope& progress) {
+void JerkSolver<M>::direction() {
   std::size_t next_middle = middles_.size(), next_joint = joints_.size();
   predicted_decrease_ = 0;
   db_[groups_] = Lane2{middle_.b, odd() ? 0 : middle_.b};
@@ -213,7 +213,7 @@ void JerkSolver<M>::direction(ProgressScope& progress) {
   direct_nodes(groups_, next_joint, primal, dual);
   Lane2 inner_primal = all(primal[0]), inner_dual = all(dual[0]);
   for (std::size_t g = groups_; g-- > 0;) {
-    progress(n_ - lane_count * (g + 1) + odd(), n_);
+    (*progress_)(n_ - lane_count * (g + 1) + odd(), n_);
     if (g > 0) elimination_[g].back(db_[g + 1], da_[g + 1], db_[g], da_[g]);
     if (missing(g, 1)) {
       db_[g][1] = middle_.b;

@@ -1,14 +1,14 @@
 #pragma once
-/// Interior-point method for JerkProblem: Newton's method on the perturbed optimality conditions with slacks and
-/// multipliers of every row [Wright: Primal-Dual Interior-Point Methods, 1997; Nocedal, Wright: Numerical Optimization,
-/// ch. 19].
+/// JerkProblem for the interior-point method (core/numeric/interior_point/driver.hpp): Newton's steps on the perturbed
+/// optimality conditions with slacks and multipliers of every row [Wright: Primal-Dual Interior-Point Methods, 1997;
+/// Nocedal, Wright: Numerical Optimization, ch. 19]. Assembling, eliminating and moving are fused into two sweeps
+/// (newton.ipp), since a step is bound by memory.
 ///
 /// The unknowns of a node are coupled to the next node's only, so one Newton step is a block-tridiagonal Cholesky
 /// factorisation with 2 × 2 blocks. Rows are linearised at the iterate; only the objective's convex part of the second
-/// derivatives is used. The complementarity target of a row is μ times the duration of its cell, and no smaller than
-/// the requested gap needs: multipliers near zero would impede the next change of shares. When the solver continues
-/// from a solution, each part of the section takes the largest step that it can (steps.hpp), so the number of steps
-/// grows little with the length of the section.
+/// derivatives is used. The complementarity target of a row is μ times the duration of its cell. When the solver
+/// continues from a solution, each part of the section takes the largest step that it can (steps.hpp), so the number of
+/// steps grows little with the length of the section.
 ///
 /// The elimination runs from both ends of the section towards its middle, with one cell of each half in a vector
 /// register (rows.hpp). The second half is traversed backwards in time, which changes the sign of a and leaves b and
@@ -16,6 +16,7 @@
 /// adopt.ipp brings the problem into this form. Cost: O(cells) per step, 0.11 µs per cell with two axes, 1 kB of memory
 /// per cell; 9 to 14 steps from a rough start to a gap of 3e-2, about as many again to 1e-4.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "core/base/progress_scope.hpp"
@@ -23,6 +24,7 @@
 #include "core/motion/jerk/problem.hpp"
 #include "core/motion/jerk/rows.hpp"
 #include "core/motion/jerk/steps.hpp"
+#include "core/numeric/interior_point/driver.hpp"
 
 namespace bahnwerk {
 
@@ -43,7 +45,7 @@ struct JerkSolverResult {
 
 /// The interior-point method for a JerkProblem with M limited quantities.
 template <int M>
-class JerkSolver {
+class JerkSolver final : InteriorPointProblem {
  public:
   /// Improves the states in `x` (inner nodes b > 0) in place. Both end nodes stay as they are: at rest, or, where b >
   /// 0, in motion. `mu` is the initial barrier parameter (1 for a rough start, small near the solution); 0 continues
@@ -56,6 +58,12 @@ class JerkSolver {
   void add_share_costs(LargeVector<double>& cost) const;
 
  private:
+  InteriorPointFigures evaluate(double mu) override;
+  double dual_residual() override { return std::abs(predicted_decrease_) / duration_; }
+  bool factor() override { return true; }  // evaluate() has done so
+  StepLengths step(double mu) override;
+  void restart(double mu) override;
+
   /// Cell g of each half with its rows. Lanes that represent no inner node or no cell have rows without gradients and a
   /// negligible weight.
   struct Cells {
@@ -92,7 +100,7 @@ class JerkSolver {
   /// Returns false if these cells differ from the previous ones and have to be initialised.
   bool adopt_middles();
   static void take_middle(const MiddleRows<M>& rows, std::size_t half, Middles& to);
-  void start(double mu, ProgressScope& progress);
+  void start(double mu);
   void start_middles(double mu);
   void move_nodes();
   void evaluate(std::size_t g, const Ends& x);
@@ -104,10 +112,10 @@ class JerkSolver {
   void eliminate_first(const NodeBlock<Lane2>& now, const CellMatrix<Lane2>& K, NodeBlock<Lane2>& after);
   /// Returns the step of the node in the middle from the remaining blocks of both halves.
   JerkNode meet(const NodeBlock<Lane2>& blocks) const;
-  void assemble(ProgressScope& progress);
+  void assemble();
   void direct_cells(std::size_t g, std::size_t& next_middle, Lane2& primal, Lane2& dual);
   void direct_nodes(std::size_t i, std::size_t& next_joint, Lane2& primal, Lane2& dual);
-  void direction(ProgressScope& progress);
+  void direction();
 
   Ends ends(std::size_t g) const { return {b_[g], a_[g], v_[g], w_[g], b_[g + 1], a_[g + 1], v_[g + 1], w_[g + 1]}; }
   /// Returns whether the section's end at which a half begins is at rest.
@@ -126,6 +134,7 @@ class JerkSolver {
   bool holds(std::size_t i, std::size_t half) const { return i > 0 && (half == 0 ? i <= groups_ : i < n_ - groups_); }
 
   const JerkProblem<M>* problem_ = nullptr;
+  ProgressScope* progress_ = nullptr;
   std::size_t n_ = 0, groups_ = 0;    ///< number of cells, and of cells in the longer half
   LargeVector<Lane2> b_, a_, v_, w_;  ///< v², a, v, 1/(2v) of each node; the last one is 0 at rest
   LargeVector<Lane2> db_, da_;
@@ -138,6 +147,7 @@ class JerkSolver {
   LargeVector<Elimination<Lane2>> elimination_;
   JerkNode middle_;  ///< step of the node in the middle
   JerkSteps steps_;
+  int uneven_ = 0;     ///< number of further steps whose lengths vary
   double target_ = 0;  ///< target of μ
   double duration_ = 0, gap_ = 0, violation_ = 0, scale_ = 0, predicted_decrease_ = 0;
 };

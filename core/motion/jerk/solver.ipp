@@ -8,10 +8,6 @@ namespace bahnwerk {
 
 namespace {
 
-constexpr double stuck_step = 0.05;
-constexpr int stuck_steps = 3;
-/// The gap is reduced to no less than this part of the requested one.
-constexpr double min_gap = 0.3;
 /// Number of steps from a solution during which step lengths vary along the section. After these, step lengths are
 /// equal everywhere, which is slower but converges. From a rough start, one with a barrier parameter larger than the
 /// constant below, they are always equal: large steps of different lengths would violate the equations too much.
@@ -21,12 +17,12 @@ constexpr double rough_start = 5e-3;
 }  // namespace
 
 template <int M>
-void JerkSolver<M>::start(double mu, ProgressScope& progress) {
+void JerkSolver<M>::start(double mu) {
   // A slack starts at its room, but at a distance from the boundary.
   const Lane2 least = all(std::min(0.1, mu));
   scale_ = 0;
   for (std::size_t g = 0; g < groups_; ++g) {
-    progress(lane_count * g, n_);
+    (*progress_)(lane_count * g, n_);
     const Ends x = ends(g);
     evaluate(g, x);
     Cells& cells = cells_[g];
@@ -72,51 +68,46 @@ void JerkSolver<M>::start_middles(double mu) {
 template <int M>
 JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
                                       const JerkSolverOptions& options, ProgressScope& progress) {
-  JerkSolverResult result;
-  if (problem.cells.size() < lane_count) {  // no value is unknown
-    result.duration = jerk_piece(x[0], x[1], problem.cells[0].h).duration;
-    result.converged = true;
-    return result;
-  }
+  if (problem.cells.size() < lane_count)  // no value is unknown
+    return {.duration = jerk_piece(x[0], x[1], problem.cells[0].h).duration, .converged = true};
   problem_ = &problem;
+  progress_ = &progress;
   adopt(x);
   const bool same_middles = adopt_middles();
-  if (mu > 0) start(mu, progress);
+  if (mu > 0) start(mu);
   if (mu == 0 && !same_middles) start_middles(gap_ / scale_);
   steps_.still(groups_);
-  int stuck = 0;
-  target_ = mu > 0 ? mu : gap_ / scale_;
-  for (;; ++result.iterations) {
-    assemble(progress);
-    result.duration = duration_;
-    result.gap = gap_ / duration_;
-    result.violation = violation_;
-    result.mu = gap_ / scale_;
-    if (!std::isfinite(duration_ + gap_)) break;
-    direction(progress);
-    if (result.gap <= options.gap && result.violation <= options.violation &&
-        std::abs(predicted_decrease_) <= options.gap * duration_) {
-      result.converged = true;
-      break;
-    }
-    if (result.iterations == options.iterations) break;
-    steps_.fit(std::max(0.9, 1 - 10 * target_), mu > rough_start || result.iterations >= uneven_steps, odd());
-    // Target of the next step: the smaller the part of this step that could be taken, the closer to the present μ.
-    const double step = std::min(steps_.mean_primal, steps_.mean_dual), miss = 1 - step;
-    const double now = (1 - step) * gap_ / scale_ + step * target_;
-    target_ = std::max(now * std::clamp(miss * miss, 0.1, 0.8), min_gap * options.gap * duration_ / scale_);
-    stuck = step < stuck_step ? stuck + 1 : 0;
-    if (stuck == stuck_steps) {  // the iterate is too near the boundary: it restarts from here, with balanced slacks
-                                 // and multipliers
-      move_nodes();
-      target_ = std::min(0.1, std::max(1e-3, 10 * now));
-      start(target_, progress);
-      stuck = 0;
-    }
-  }
+  uneven_ = mu > rough_start ? 0 : uneven_steps;
+  InteriorPointRule rule;
+  rule.gap = rule.dual_residual = options.gap;
+  rule.primal_residual = options.violation;
+  rule.max_iterations = options.iterations;
+  const InteriorPointResult found = run_interior_point(*this, rule, mu > 0 ? mu : gap_ / scale_);
   for (std::size_t i = 0; i <= n_; ++i)
     x[i] = i <= groups_ ? JerkNode{b_[i][0], a_[i][0]} : JerkNode{b_[n_ - i][1], -a_[n_ - i][1]};
-  return result;
+  return {found.iterations, duration_, found.gap, found.primal_residual, gap_ / scale_, found.converged};
+}
+
+template <int M>
+InteriorPointFigures JerkSolver<M>::evaluate(double mu) {
+  target_ = mu;
+  assemble();
+  direction();
+  return {duration_, gap_, scale_, violation_};
+}
+
+template <int M>
+StepLengths JerkSolver<M>::step(double mu) {
+  steps_.fit(std::max(0.9, 1 - 10 * mu), uneven_ == 0, odd());
+  if (uneven_ > 0) --uneven_;
+  return {steps_.mean_primal, steps_.mean_dual};
+}
+
+/// The iterate is too near the boundary: it begins again from here.
+template <int M>
+void JerkSolver<M>::restart(double mu) {
+  move_nodes();
+  start(mu);
 }
 
 template <int M>

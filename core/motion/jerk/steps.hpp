@@ -1,9 +1,11 @@
 #pragma once
-/// Step lengths of a Newton step per cell (core/numeric/gradual.hpp).
+/// Step lengths of a Newton step per cell. A single step length would be shortened everywhere by one tight row. Here
+/// each cell has its own, and it rises only gradually from one cell to the next, because the step's linear equations
+/// are violated by the difference of neighbouring step lengths.
 #include <algorithm>
 
 #include "core/motion/jerk/rows.hpp"
-#include "core/numeric/gradual.hpp"
+#include "core/numeric/interior_point/driver.hpp"
 #include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
@@ -29,24 +31,26 @@ struct JerkSteps {
   }
 
  private:
+  /// Returns the largest step length next to `length`.
+  static Lane2 next(Lane2 length) { return smaller(length + 0.02, 1.05 * length); }
   static double fit(LargeVector<Lane2>& part, LargeVector<Lane2>& node, double reach, bool even, bool odd) {
     const std::size_t n = part.size();
     if (even) {
-      Lane2 most = all(reach);
+      Lane2 most{};
       for (const Lane2 p : part) most = larger(most, p);
-      const double taken = reach / largest(most);
+      const double taken = step_length(largest(most), reach);
       part.assign(n, all(taken));
       node.assign(n + 1, all(taken));
       return taken;
     }
     Lane2 last = all(1), sum{};
-    for (Lane2& p : part) last = p = smaller(smaller(all(1), reach / p), next_part(last));
+    for (Lane2& p : part) last = p = smaller(smaller(all(1), reach / p), next(last));
     // The sweep continues across the middle, where both halves meet.
     const Lane2 other = {last[1], last[0]};
-    part[n - 1] = smaller(last, odd ? other : next_part(other));
+    part[n - 1] = smaller(last, odd ? other : next(other));
     last = all(1);
     for (std::size_t c = n; c-- > 0;) {
-      last = part[c] = smaller(part[c], next_part(last));
+      last = part[c] = smaller(part[c], next(last));
       sum += last;
     }
     for (std::size_t i = 1; i < n; ++i) node[i] = smaller(part[i - 1], part[i]);

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/relaxation/newton.ipp"
+
 namespace bahnwerk {
 namespace {
 
-constexpr double to_boundary = 0.995;  // part of the longest step that is taken
-// Target of the complementarity of a step relative to the present one: what the predictor would leave, near the
-// solution its square. It is at least this part of the requested gap, since infeasibility has to fall with it.
-constexpr double min_centring = 1e-4, gap_aimed_at = 0.3;
-constexpr double near = 0.03;  // gap from which on all places have one step length
 constexpr double dual_tolerance = 1e-3;
 constexpr double never = 1e300;
 constexpr double first_cap = 0.3,
@@ -29,7 +26,6 @@ void RelaxationSolver<N>::take(const RelaxationProblem<N>& problem) {
   caps_.assign(cells_, {});
   for (std::vector<double>* v : {&b_, &root_}) v->assign(cells_ + 4, 1);
   for (std::vector<double>* v : {&inverse_cap_, &step_}) v->assign(cells_ + 4, 0);
-  matrix_.assign(cells_ + 4, {});
   for (std::size_t k = 0; k < N; ++k)
     inverse_jerk_[k] = 1 / problem.jerk[k], inverse_acceleration_[k] = 1 / problem.acceleration[k];
   // The start is well below the caps, rises and falls by a part of what accelerations allow, and leaves rest no faster
@@ -108,13 +104,33 @@ typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_value(std::size_t n
   return Sides{sum, -sum} - 1.0;
 }
 
-// Returns the target of the next step relative to the present complementarity.
 template <int N>
-double RelaxationSolver<N>::centring(const Promise& promise, bool even) const {
-  const double p = parts_.mean()[0], d = parts_.mean()[1],
-               left = 1 + (p * promise.change - d * (complementarity_ + promise.change) + p * d * promise.both) /
-                              complementarity_;
-  return std::max(even ? left * left : left, min_centring);
+InteriorPointFigures RelaxationSolver<N>::evaluate(double /*mu*/) {
+  assemble();
+  return {duration_, complementarity_, static_cast<double>(rows_), violation_};
+}
+
+template <int N>
+bool RelaxationSolver<N>::factor() {
+  matrix_.factor([] {});
+  return true;
+}
+
+template <int N>
+std::optional<double> RelaxationSolver<N>::predict() {
+  solve_factored();
+  const Promise promise = affine();
+  const double p = step_length(reach_[0], 1), d = step_length(reach_[1], 1);
+  product_ = std::sqrt(p * d);
+  return 1 + (p * promise.change - d * (complementarity_ + promise.change) + p * d * promise.both) / complementarity_;
+}
+
+template <int N>
+StepLengths RelaxationSolver<N>::step(double mu) {
+  correct(mu, product_);
+  solve_factored();
+  follow();
+  return taken_ = {step_length(reach_[0]), step_length(reach_[1])};
 }
 
 template <int N>
@@ -123,25 +139,12 @@ RelaxationOutcome RelaxationSolver<N>::solve(const RelaxationProblem<N>& problem
   progress_ = &progress;
   take(problem);
   start();
-  RelaxationOutcome outcome;
-  parts_.begin(splines_.size(), false);
-  for (;; ++outcome.iterations) {
-    assemble();
-    outcome.duration = duration_, outcome.gap = complementarity_ / duration_, outcome.violation = violation_;
-    outcome.converged = outcome.gap < options.gap && violation_ < options.violation && dual_residual() < dual_tolerance;
-    if (outcome.converged || outcome.iterations == options.iterations) return outcome;
-    factor();
-    solve_factored();
-    const bool even = outcome.gap < near;
-    const Promise promise = predict(even);
-    parts_.predicted();
-    correct(std::max(centring(promise, even) * complementarity_, gap_aimed_at * options.gap * duration_) /
-            static_cast<double>(rows_));
-    solve_factored();
-    follow(even);
-    parts_.taken(to_boundary);
-    if (!std::isfinite(sum(parts_.mean()))) return outcome;
-  }
+  taken_ = {0, 0};
+  InteriorPointRule rule;
+  rule.gap = options.gap, rule.primal_residual = options.violation, rule.dual_residual = dual_tolerance;
+  rule.max_iterations = options.iterations;
+  const InteriorPointResult result = run_interior_point(*this, rule);
+  return {result.iterations, duration_, result.gap, result.primal_residual, result.converged};
 }
 
 template <int N>

@@ -9,18 +9,18 @@
 ///
 /// core/motion/relaxation/weak_form.hpp has the discretisation.
 ///
-/// The problem is solved by a primal-dual interior-point method with predictor and corrector [Mehrotra, SIAM J. Optim.
-/// 2 (1992)]. Each T_j is eliminated on its own, which leaves one pentadiagonal system for b. Far from the solution
-/// each place has its own step length (newton_parts.hpp); near it all places share one, and the Newton equations hold.
+/// The problem is solved by the primal-dual interior-point method with a predictor (driver.hpp). Each T_j is eliminated
+/// on its own, which leaves one pentadiagonal system for b.
 #include <array>
 #include <cstddef>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
 #include "core/motion/relaxation/inequality.hpp"
-#include "core/motion/relaxation/newton_parts.hpp"
 #include "core/motion/relaxation/weak_form.hpp"
+#include "core/numeric/interior_point/driver.hpp"
 #include "core/numeric/lanes.hpp"
+#include "core/numeric/linear/symmetric_band.hpp"
 
 namespace bahnwerk {
 
@@ -50,9 +50,9 @@ struct RelaxationOptions {
 };
 
 /// Solver of relaxations. It reuses its memory from one problem to the next: about 0.7 (N = 2), 1.0 (3), 1.4 (5), 2.2
-/// kB (8) per cell. 7 to 15 iterations, 0.1 µs each per cell of three axes as long as it fits the cache.
+/// kB (8) per cell. 7 to 17 iterations, 0.1 µs each per cell of three axes as long as it fits the cache.
 template <int N>
-class RelaxationSolver {
+class RelaxationSolver final : InteriorPointProblem {
  public:
   using Row = std::array<double, N>;
   /// Solves a problem of at least one cell. Passes exceptions of `progress` on.
@@ -65,6 +65,12 @@ class RelaxationSolver {
   RelaxationMultipliers<N> multipliers() const;
 
  private:
+  InteriorPointFigures evaluate(double mu) override;
+  double dual_residual() override;
+  bool factor() override;
+  std::optional<double> predict() override;
+  StepLengths step(double mu) override;
+
   using Sides = Lanes<2>;  ///< values for both sides of |x| ≤ limit
   /// Spline j has the stored cells j … j + 2 as its support; place r of its support is stored as j + 2 − r.
   struct Spline {
@@ -82,15 +88,12 @@ class RelaxationSolver {
 
   void take(const RelaxationProblem<N>& problem);
   void start();
-  void assemble_hat(std::size_t node, double primal, double dual, Sides& products, Sides& worst);
+  void assemble_hat(std::size_t node, Sides& products, Sides& worst);
   void assemble();
-  void factor();
   void solve_factored();
-  Promise predict(bool even);
-  double centring(const Promise& promise, bool even) const;
-  void correct(double target);
-  void follow(bool even);
-  double dual_residual() const;
+  Promise affine();
+  void correct(double target, double part);
+  void follow();
   Sides hat_value(std::size_t node, std::size_t k) const;
   Sides hat_change(std::size_t node, std::size_t k, double before, double after) const;
 
@@ -103,8 +106,11 @@ class RelaxationSolver {
   /// Values of the cells, with two unused cells at each end. `step_` is the right-hand side, then the relative change
   /// of b.
   std::vector<double> b_, inverse_cap_, root_, step_;
-  NewtonParts parts_;                          ///< place j: spline j, hat j, cell j − 1 and its cap
-  std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: 1/D, L₁, L₂
+  Sides reach_{};  ///< largest −change/value of slacks and multipliers in the step
+  double product_ =
+      0;               ///< weight of the product of the predictor's steps: less of it where less of them could be taken
+  StepLengths taken_;  ///< of the last step
+  SymmetricBand<2> matrix_;  ///< of b, with the unused cells
   Row inverse_jerk_{}, inverse_acceleration_{};
   double duration_ = 0, complementarity_ = 0, violation_ = 0;
 };

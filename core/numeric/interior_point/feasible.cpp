@@ -2,25 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+
+#include "core/numeric/interior_point/driver.hpp"
 
 namespace bahnwerk {
 namespace {
 
 using Vector = std::vector<double>;
-
-/// Returns Σ ln x. Products of many factors cost one logarithm.
-double sum_of_logarithms(const Vector& x) {
-  double product = 1, sum = 0;
-  for (const double factor : x) {
-    product *= factor;
-    if (product < 1e-200 || product > 1e200) {
-      sum += std::log(product);
-      product = 1;
-    }
-  }
-  return sum + std::log(product);
-}
 
 class FeasibleDriver {
  public:
@@ -29,10 +19,13 @@ class FeasibleDriver {
   FeasibleResult run() {
     FeasibleResult result;
     if (!problem_.slacks(slack_)) return result;
-    count_ = static_cast<double>(slack_.size());
     trial_ = change_ = slack_;
-    double mu = (options_.start_mu > 0 ? options_.start_mu : 0.3) * problem_.scale() / count_;
-    for (const double g : slack_) multiplier_.push_back(mu / g);
+    weight_ = options_.weights;
+    weight_.resize(slack_.size(), 1.0);
+    total_ = std::accumulate(weight_.begin(), weight_.end(), 0.0);
+    double mu = (options_.start_mu > 0 ? options_.start_mu : 0.3) * problem_.scale() / total_;
+    multiplier_ = options_.start_multipliers;
+    for (std::size_t s = multiplier_.size(); s < slack_.size(); ++s) multiplier_.push_back(mu * weight_[s] / slack_[s]);
     for (int i = 0; i < options_.iterations; ++i) {
       if (options_.tick) options_.tick();
       result.iterations = i + 1;
@@ -45,15 +38,27 @@ class FeasibleDriver {
       const bool stiff = stiffness_ > soft;
       const bool near = result.gap <= options_.gap && decrease_ <= (stiff ? 0.02 : 2) * options_.gap * scale;
       if (options_.certified ? options_.certified(multiplier_, result.gap) : near) break;
-      if (decrease_ > (stiff ? 0.02 : 1) * mu * count_) continue;
+      if (decrease_ > (stiff ? 0.02 : 0.3) * mu * total_) continue;
       stiffness_ *= 0.25;
-      const double factor = length > 0.9 ? 0.15 : length > 0.5 ? 0.35 : 0.7;
-      mu = std::max(std::min(mu, factor * (sum / count_)), 0.2 * options_.gap * scale / count_);
+      mu = std::max(std::min(mu, mu_factor(length) * (sum / total_)), 0.2 * options_.gap * scale / total_);
     }
     return result;
   }
 
  private:
+  /// Returns Σ w ln x. Products of many factors of one weight cost one logarithm.
+  double sum_of_logarithms(const Vector& x) const {
+    double product = 1, sum = 0, weight = 1;
+    for (std::size_t s = 0; s < x.size(); ++s) {
+      if (weight_[s] != weight || product < 1e-200 || product > 1e200) {
+        sum += weight * std::log(product);
+        product = 1, weight = weight_[s];
+      }
+      product *= x[s];
+    }
+    return sum + weight * std::log(product);
+  }
+
   bool find_step(double mu) {
     constexpr int attempts = 11;
     for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -65,14 +70,15 @@ class FeasibleDriver {
 
   /// Takes the step as far as the merit function falls enough; returns its length, 0 for none.
   double line_search(double mu) {
-    double length = problem_.longest(), dual_length = 1, slope = problem_.changes(change_);
+    double reach = 0, dual_reach = 0, slope = problem_.changes(change_);
     for (std::size_t s = 0; s < slack_.size(); ++s) {
-      const double g = slack_[s], l = multiplier_[s], dg = change_[s];
-      slope -= mu / g * dg;
-      if (dg < -keep * g) length = std::min(length, -keep * g / dg);
-      const double dl = mu / g - l - l / g * dg;
-      if (dl < -keep * l) dual_length = std::min(dual_length, -keep * l / dl);
+      const double g = slack_[s], l = multiplier_[s], dg = change_[s], target = mu * weight_[s] / g;
+      slope -= target * dg;
+      reach = std::max(reach, -dg / g);
+      dual_reach = std::max(dual_reach, -(target - l - l / g * dg) / l);
     }
+    const double dual_length = step_length(dual_reach);
+    double length = std::min(problem_.longest(), step_length(reach));
     decrease_ = -slope;
     const double before = problem_.objective() - mu * sum_of_logarithms(slack_);
     const std::size_t curves = problem_.curves();
@@ -92,9 +98,9 @@ class FeasibleDriver {
 
   void take(double mu, double length, double dual_length) {
     for (std::size_t s = 0; s < slack_.size(); ++s) {
-      const double g = slack_[s],
-                   l = multiplier_[s] + dual_length * (mu / g - multiplier_[s] - multiplier_[s] / g * change_[s]);
-      multiplier_[s] = std::clamp(l, 1e-3 * mu / trial_[s], 1e3 * mu / trial_[s]);
+      const double g = slack_[s], l = multiplier_[s], target = mu * weight_[s];
+      multiplier_[s] = std::clamp(l + dual_length * (target / g - l - l / g * change_[s]), 1e-3 * target / trial_[s],
+                                  1e3 * target / trial_[s]);
     }
     problem_.accept();
     std::swap(slack_, trial_);
@@ -104,14 +110,14 @@ class FeasibleDriver {
     if (length > 0.1) damping_ = std::max(damping_ * 0.1, 1e-10);
   }
 
-  static constexpr double keep = 0.995;  // part of the distance to the nearest bound that a step takes
   static constexpr double soft = 0.3;
   static constexpr std::size_t lengths = 30;
 
   FeasibleProblem& problem_;
   const FeasibleOptions& options_;
-  Vector slack_, trial_, change_, multiplier_;
-  double count_ = 0, damping_ = 1e-8, stiffness_ = 0;
+  Vector slack_, trial_, change_, multiplier_, weight_;
+  double total_ = 0;  // Σ w
+  double damping_ = 1e-8, stiffness_ = 0;
   double decrease_ = 0;  // twice what Newton's model predicts for the merit function
 };
 

@@ -4,12 +4,12 @@
 ///   minimise f(x) so that g(x) > 0.
 ///
 /// Every iterate keeps all constraints strictly, so that a run may end at any iteration. A step is Newton's for
-/// f − μ Σ ln g_i with the multipliers λ_i of the slacks g_i in place of μ/g_i in its matrix; its length keeps slacks
-/// and multipliers positive, and a line search on f − μ Σ ln g_i shortens it [Nocedal & Wright, Numerical Optimization,
-/// 19.3]. μ stays while the iterate is far from the minimum that belongs to it, and then falls with Σ λ_i g_i (Fiacco
-/// & McCormick). Multipliers stay within a factor of 1000 of μ/g_i [Wächter & Biegler 2006, (16)]. f need not be
-/// convex: the result is a local minimum. A `FeasibleProblem` assembles and solves the system of a step, with a
-/// structure of core/numeric/linear.
+/// f − μ Σ w_i ln g_i, w_i = 1 unless given, with the multipliers λ_i of the slacks g_i in place of μ w_i/g_i in its
+/// matrix; its length keeps slacks and multipliers positive, and a line search on that function shortens it [Nocedal &
+/// Wright, Numerical Optimization, 19.3]. μ stays while the iterate is far from the minimum that belongs to it, and
+/// then falls with Σ λ_i g_i (Fiacco & McCormick). Multipliers stay within a factor of 1000 of μ w_i/g_i [Wächter &
+/// Biegler 2006, (16)]. f need not be convex: the result is a local minimum. A `FeasibleProblem` assembles and solves
+/// the system of a step, with a structure of core/numeric/linear.
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -19,7 +19,7 @@ namespace bahnwerk {
 /// Where a step begins, and what is added to its system.
 struct BarrierPoint {
   const std::vector<double>&slack, &multiplier;  ///< g and λ
-  double mu = 0;                                 ///< weight of −Σ ln g
+  double mu = 0;                                 ///< weight of −Σ w ln g
   double damping = 0;                            ///< addition to the diagonal, relative to it
   /// Addition to the diagonal of those unknowns that scale others, in units of their part of f: they move less.
   double stiffness = 0;
@@ -50,8 +50,10 @@ class FeasibleProblem {
 struct FeasibleOptions {
   double gap = 1e-3;    ///< the search ends where Σ λ g ≤ gap · scale, near enough to the minimum for μ
   int iterations = 60;  ///< largest number of iterations
-  double start_mu = 0;  ///< first μ relative to scale / number of constraints; 0: 0.3
-  std::function<void()> tick = {};  ///< callback of every iteration; may throw
+  double start_mu = 0;  ///< first μ relative to scale / Σ w; 0: 0.3
+  std::vector<double> weights = {};            ///< w; none: 1
+  std::vector<double> start_multipliers = {};  ///< first λ; none: μ w / g
+  std::function<void()> tick = {};             ///< callback of every iteration; may throw
   /// Receives multipliers and gap after every iteration; returns whether they prove enough, which ends the search in
   /// place of the rule above. A certificate for any multipliers is the problem's own affair.
   std::function<bool(const std::vector<double>&, double)> certified = {};

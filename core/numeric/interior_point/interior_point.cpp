@@ -43,9 +43,10 @@ double largest(const Vector& a) {
 
 constexpr int most_directions = 12;  // largest number of directions of GMRES
 
-class Driver {
+/// The program as a problem of the driver.
+class Program final : public InteriorPointProblem {
  public:
-  Driver(InteriorPointSystem& system, InteriorPoint& point, const InteriorPointOptions& options)
+  Program(InteriorPointSystem& system, InteriorPoint& point, const InteriorPointOptions& options)
       : system_(system),
         p_(point),
         options_(options),
@@ -64,45 +65,56 @@ class Driver {
         dual_residual_(variables_),
         equality_residual_(equalities_) {}
 
-  InteriorPointResult run() {
-    InteriorPointResult result;
-    for (;; ++result.iterations) {
-      if (options_.tick) options_.tick();
-      residuals();
-      const double objective = dot(system_.cost(), p_.x) + 0.5 * dot(qx_, p_.x);
-      const double mu = dot(p_.s, p_.z) / static_cast<double>(std::max<std::size_t>(rows_, 1));
-      result.gap = mu * static_cast<double>(rows_) / (1 + std::abs(objective));
-      result.primal_residual = std::max(largest(row_residual_), largest(equality_residual_));
-      result.dual_residual = largest(dual_residual_);
-      if (!std::isfinite(result.gap) || !std::isfinite(result.primal_residual) || !std::isfinite(result.dual_residual))
-        return result;
-      result.converged = result.gap <= options_.gap &&
-                         result.primal_residual <= std::min(options_.residual, options_.primal_residual) &&
-                         result.dual_residual <= options_.dual_residual.value_or(options_.residual);
-      if (result.converged || result.iterations >= options_.max_iterations) return result;
-      for (std::size_t i = 0; i < rows_; ++i) weights_[i] = p_.z[i] / p_.s[i];
-      if (!system_.factor(weights_)) return result;
-      std::fill(predicted_.begin(), predicted_.end(), 0.0);
-      step(0);
-      const double after =
-          sum_of(rows_, [&](std::size_t i) { return (p_.s[i] + primal_ * ds_[i]) * (p_.z[i] + dual_ * dz_[i]); });
-      const double share = rows_ ? after / static_cast<double>(rows_) / mu : 0;
-      for (std::size_t i = 0; i < rows_; ++i) predicted_[i] = ds_[i] * dz_[i];
-      // Products far below the requested ones would only increase residuals.
-      const double least =
-          0.1 * options_.gap * (1 + std::abs(objective)) / static_cast<double>(std::max<std::size_t>(rows_, 1));
-      step(std::max(share * share * share * mu, least));
-      if (!finite()) return result;
-      move();
+  InteriorPointFigures evaluate(double /*mu*/) override {
+    residuals();
+    InteriorPointFigures figures;
+    figures.scale = 1 + std::abs(dot(system_.cost(), p_.x) + 0.5 * dot(qx_, p_.x));
+    figures.complementarity = dot(p_.s, p_.z);
+    figures.weight = static_cast<double>(std::max<std::size_t>(rows_, 1));
+    figures.primal_residual = std::max(largest(row_residual_), largest(equality_residual_));
+    return figures;
+  }
+  double dual_residual() override { return largest(dual_residual_); }
+  bool factor() override {
+    for (std::size_t i = 0; i < rows_; ++i) weights_[i] = p_.z[i] / p_.s[i];
+    return system_.factor(weights_);
+  }
+  std::optional<double> predict() override {
+    std::fill(predicted_.begin(), predicted_.end(), 0.0);
+    direct(0);
+    const double primal = step_length(primal_reach(), 1), dual = step_length(dual_reach(), 1);
+    const double after =
+        sum_of(rows_, [&](std::size_t i) { return (p_.s[i] + primal * ds_[i]) * (p_.z[i] + dual * dz_[i]); });
+    for (std::size_t i = 0; i < rows_; ++i) predicted_[i] = ds_[i] * dz_[i];
+    return rows_ ? after / dot(p_.s, p_.z) : 0;
+  }
+  StepLengths step(double mu) override {
+    direct(mu);
+    if (!finite()) return {unlimited, unlimited};
+    StepLengths taken{step_length(primal_reach()), step_length(dual_reach())};
+    if (options_.common_step) taken.primal = taken.dual = std::min(taken.primal, taken.dual);
+    for (std::size_t i = 0; i < variables_; ++i) p_.x[i] += taken.primal * dx_[i];
+    for (std::size_t i = 0; i < equalities_; ++i) p_.y[i] += taken.dual * dy_[i];
+    for (std::size_t i = 0; i < rows_; ++i) {
+      p_.s[i] += taken.primal * ds_[i];
+      p_.z[i] += taken.dual * dz_[i];
     }
+    return taken;
   }
 
  private:
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
   bool finite() const {
     const auto all = [](const Vector& a) {
       return std::all_of(a.begin(), a.end(), [](double value) { return std::isfinite(value); });
     };
     return all(dx_) && all(dy_);
+  }
+  double primal_reach() const {
+    return most_of(rows_, 0, [&](std::size_t i) { return -ds_[i] / p_.s[i]; });
+  }
+  double dual_reach() const {
+    return most_of(rows_, 0, [&](std::size_t i) { return -dz_[i] / p_.z[i]; });
   }
 
   void residuals() {
@@ -118,7 +130,7 @@ class Driver {
   }
 
   /// Newton's step towards s z = target − predicted.
-  void step(double target) {
+  void direct(double target) {
     for (std::size_t i = 0; i < rows_; ++i)
       push_[i] = (target - predicted_[i] + p_.z[i] * row_residual_[i]) / p_.s[i] - p_.z[i];
     right_x_ = dual_residual_;
@@ -138,22 +150,7 @@ class Driver {
       ds_[i] = -row_residual_[i] - gx_[i];
       dz_[i] = push_[i] + weights_[i] * gx_[i];
     }
-    primal_ = 1 / most_of(rows_, 1, [&](std::size_t i) { return -ds_[i] / p_.s[i]; });
-    dual_ = 1 / most_of(rows_, 1, [&](std::size_t i) { return -dz_[i] / p_.z[i]; });
   }
-
-  void move() {
-    if (options_.common_step) primal_ = dual_ = std::min(primal_, dual_);
-    const double primal = primal_ < 1 ? keep * primal_ : 1, dual = dual_ < 1 ? keep * dual_ : 1;
-    for (std::size_t i = 0; i < variables_; ++i) p_.x[i] += primal * dx_[i];
-    for (std::size_t i = 0; i < equalities_; ++i) p_.y[i] += dual * dy_[i];
-    for (std::size_t i = 0; i < rows_; ++i) {
-      p_.s[i] += primal * ds_[i];
-      p_.z[i] += dual * dz_[i];
-    }
-  }
-
-  static constexpr double keep = 0.995;  // part of the distance to the nearest bound that a step takes
 
   InteriorPointSystem& system_;
   InteriorPoint& p_;
@@ -161,7 +158,6 @@ class Driver {
   std::size_t variables_, equalities_, rows_;
   Vector gx_, ds_, dz_, predicted_, weights_, push_, row_residual_, ex_, qx_, dual_residual_, equality_residual_;
   Vector right_x_, right_y_, dx_, dy_, none_;
-  double primal_ = 1, dual_ = 1;
 };
 
 }  // namespace
@@ -236,7 +232,8 @@ void solve_refined(const InteriorPointSystem& system, const std::vector<double>&
 
 InteriorPointResult solve_interior_point(InteriorPointSystem& system, InteriorPoint& point,
                                          const InteriorPointOptions& options) {
-  return Driver(system, point, options).run();
+  Program program(system, point, options);
+  return run_interior_point(program, options);
 }
 
 DualValue dual_value(const InteriorPointSystem& system, const std::vector<double>& y, const std::vector<double>& z) {

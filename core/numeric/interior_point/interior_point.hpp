@@ -4,15 +4,13 @@
 ///   minimise ½ xᵀQx + cᵀx so that E x = e, G x + s = g, s ≥ 0;
 ///   dual: maximise −½ xᵀQx − gᵀz − eᵀy so that Qx + c + Gᵀz + Eᵀy = 0, z ≥ 0.
 ///
-/// Mehrotra's predictor–corrector method [Mehrotra, On the implementation of a primal-dual interior point method, SIAM
-/// J. Optim. 2, 1992]. The driver uses vectors only; an `InteriorPointSystem`, one class per structure, assembles,
-/// factors and solves the system of a step. Cost: one factorisation and two solutions, with a step of refinement each
-/// where that is requested, per iteration, 10 to 40 iterations.
+/// Mehrotra's predictor–corrector method (driver.hpp) with vectors; an `InteriorPointSystem`, one class per structure,
+/// assembles, factors and solves the system of a step. Cost: one factorisation and two solutions, with a step of
+/// refinement each where that is requested, per iteration, 10 to 40 iterations.
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <optional>
 #include <vector>
+
+#include "core/numeric/interior_point/driver.hpp"
 
 namespace bahnwerk {
 
@@ -41,27 +39,13 @@ struct InteriorPoint {
   std::vector<double> x, y, s, z;
 };
 
-/// The options of the method.
-struct InteriorPointOptions {
-  double gap = 1e-9;       ///< mean of s z at which the method ends, relative to 1 + |cᵀx|, times the number of rows
-  double residual = 1e-9;  ///< largest residual of all equations, absolute: programs are scaled to the order of 1
-  double primal_residual =
-      std::numeric_limits<double>::infinity();  ///< largest residual of rows and equalities, if smaller
-  std::optional<double> dual_residual;          ///< largest residual of Qx + c + Gᵀz + Eᵀy; unset: `residual`
+/// The options of the method. The gap is relative to 1 + |½ xᵀQx + cᵀx|; residuals are absolute.
+struct InteriorPointOptions : InteriorPointRule {
   /// Whether slacks and multipliers take equal step lengths. A quadratic objective needs this: it couples the residuals
   /// of both.
   bool common_step = false;
   /// Whether solutions are refined (solve_refined). A positive definite K without equalities does not need it.
   bool refined = true;
-  int max_iterations = 80;
-  std::function<void()> tick;  ///< callback of every iteration; may throw
-};
-
-/// The outcome of the method.
-struct InteriorPointResult {
-  bool converged = false;
-  int iterations = 0;
-  double gap = 0, primal_residual = 0, dual_residual = 0;  ///< values at the last iterate
 };
 
 /// Iterates from `point`, whose sizes and signs have to be right, to the optimum. Without convergence `point` is the

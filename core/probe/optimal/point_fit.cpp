@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/numeric/linear/symmetric_band.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -106,7 +108,7 @@ class FitSpline {
   std::vector<Vec> c_;
 };
 
-/// Normal equations of a band, solved by Cholesky factors. Unknowns are the coordinates of the coefficients in turn.
+/// Normal equations of a band. Unknowns are the coordinates of the coefficients in turn.
 class NormalEquations {
  public:
   explicit NormalEquations(std::size_t n) : a_(3 * n), b_(3 * n, 0.0) {}
@@ -121,34 +123,21 @@ class NormalEquations {
         if (metric == 0) continue;
         for (std::size_t i = 0; i < N; ++i)
           for (std::size_t j = 0; j <= i; ++j)
-            if (3 * i + d >= 3 * j + e) a_[3 * (first + i) + d][3 * (i - j) + d - e] += metric * row[i] * row[j];
+            if (3 * i + d >= 3 * j + e) a_.at(3 * (first + i) + d, 3 * (first + j) + e) += metric * row[i] * row[j];
       }
       for (std::size_t i = 0; i < N; ++i) b_[3 * (first + i) + d] += row[i] * target[d];
     }
   }
   std::vector<Vec> solve() {
-    const std::size_t n = a_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t d = std::min(i, band - 1) + 1; d-- > 0;) {
-        double s = a_[i][d];
-        for (std::size_t k = d + 1; k < band && k <= i; ++k) s -= a_[i][k] * a_[i - d][k - d];
-        a_[i][d] = d == 0 ? std::sqrt(s) : s / a_[i - d][0];
-      }
-      for (std::size_t d = 1; d < band && d <= i; ++d) b_[i] -= a_[i][d] * b_[i - d];
-      b_[i] /= a_[i][0];
-    }
-    std::vector<Vec> out(n / 3);
-    for (std::size_t i = n; i-- > 0;) {
-      for (std::size_t d = 1; d < band && i + d < n; ++d) b_[i] -= a_[i + d][d] * b_[i + d];
-      b_[i] /= a_[i][0];
-      out[i / 3][i % 3] = b_[i];
-    }
+    a_.factor([] {});
+    a_.solve(b_);
+    std::vector<Vec> out(b_.size() / 3);
+    for (std::size_t i = 0; i < b_.size(); ++i) out[i / 3][i % 3] = b_[i];
     return out;
   }
 
  private:
-  static constexpr std::size_t band = 3 * (degree + 1);
-  std::vector<std::array<double, band>> a_;  // a_[i][d]: row i, column i − d
+  SymmetricBand<3 * (degree + 1) - 1> a_;
   std::vector<double> b_;
 };
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/interior_point/driver.hpp"
+#include "core/numeric/linear/riccati.hpp"
 #include "core/redundant/chain/chain_bounds.hpp"
-#include "core/redundant/chain/chain_step.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -13,7 +14,7 @@ constexpr double hard = ChainBound::hard;
 constexpr double rest = 1e-9;  // derivatives at the end up to this count as 0
 
 template <std::size_t order>
-class Method {
+class Method final : public InteriorPointProblem {
   using State = ChainState<order>;
 
  public:
@@ -26,24 +27,21 @@ class Method {
         state_bounds_(chain.states.size()),
         control_bounds_(n_),
         free_(n_),
-        newton_(chain) {
+        newton_(chain.steps, chain.free_at_begin(), chain.ends_at_rest) {
     if (chain.begin) begin_ = *chain.begin;
   }
 
   ChainSolution<order> run() {
     start();
+    InteriorPointRule rule;
+    rule.gap = options_.gap;
+    rule.dual_residual = 1e-6;
+    rule.max_iterations = options_.max_iterations;
+    rule.tick = options_.tick;
+    const InteriorPointResult result = run_interior_point(*this, rule);
     ChainSolution<order> solution;
-    for (;; ++solution.iterations) {
-      if (options_.tick) options_.tick();
-      roll();
-      measure();
-      if (gap_ <= options_.gap * (1 + objective_) && residual_ <= 1e-9 && dual_ <= 1e-6) {
-        solution.converged = true;
-        break;
-      }
-      if (options_.any && violation_ <= 0 && dual_ < 1) break;
-      if (solution.iterations == options_.max_iterations || !step()) break;
-    }
+    solution.iterations = result.iterations;
+    solution.converged = result.converged;
     finish(solution);
     return solution;
   }
@@ -94,7 +92,7 @@ class Method {
         newton_.weight[i][k] = w;
         newton_.gradient[i][k] = w * (states_[i][k] - middle);
       }
-    newton_.factorise();
+    newton_.factor();
     newton_.solve(states_[n_]);
     if (finite()) {
       for (std::size_t c = 0; c < n_; ++c) controls_[c] += newton_.d_controls[c];
@@ -123,36 +121,63 @@ class Method {
     for (std::size_t c = 0; c < n_; ++c) states_[c + 1] = x = advanced<order>(x, chain_.steps[c], controls_[c]);
   }
 
-  /// Applies the share `taken_` of the bounds' steps as well, in one pass over all bounds.
-  void measure() {
-    double sum = 0, residual = 0, excess = 0, violation = 0;
+  /// Applies the bounds' last step as well, in one pass over all bounds.
+  InteriorPointFigures evaluate(double /*mu*/) override {
+    roll();
+    InteriorPointFigures figures;
+    double excess = 0, violation = 0;
     std::size_t count = 0;
     each([&](ChainBound& b, double sign, double x, double, double penalty) {
       b.advance(taken_, penalty);
-      sum += b.slack * b.z;
+      figures.complementarity += b.slack * b.z;
       ++count;
       if (penalty < hard) {
-        sum += b.excess * b.below;
+        figures.complementarity += b.excess * b.below;
         excess += b.excess;
         ++count;
       }
       violation = std::max(violation, sign * x - b.limit);
-      residual = std::max(residual, std::abs(sign * x + b.slack - b.excess - b.limit));
+      figures.primal_residual = std::max(figures.primal_residual, std::abs(sign * x + b.slack - b.excess - b.limit));
     });
     for (std::size_t k = 1; chain_.ends_at_rest && k < order; ++k) {
       const double speed = std::abs(states_[n_][k]);
-      residual = std::max(residual, speed);
+      figures.primal_residual = std::max(figures.primal_residual, speed);
       if (speed > rest) violation = std::max(violation, speed);
     }
-    violation_ = violation;
-    gap_ = sum;
-    mu_ = count > 0 ? sum / static_cast<double>(count) : 0;
-    residual_ = residual;
     double energy = 0;
     for (std::size_t c = 0; c < n_; ++c) energy += energy_of_control(c) * controls_[c] * controls_[c];
     for (std::size_t i = 0; i <= n_; ++i)
       for (std::size_t k = 0; k < order; ++k) energy += energy_of_state(i, k) * states_[i][k] * states_[i][k];
-    objective_ = 0.5 * energy + options_.penalty * excess;
+    figures.scale = 1 + 0.5 * energy + options_.penalty * excess;
+    figures.weight = static_cast<double>(std::max<std::size_t>(count, 1));
+    figures.enough = options_.any && violation <= 0 && dual_ < 1;
+    gap_ = figures.complementarity;
+    return figures;
+  }
+  double dual_residual() override { return dual_; }
+  bool factor() override {
+    assemble(true, [](ChainBound& b, double penalty) { b.aim_at_zero(penalty); });
+    newton_.factor();
+    return true;
+  }
+  std::optional<double> predict() override {
+    newton_.solve(states_[n_]);
+    ChainProducts products;
+    const double affine = reach(1, &products);
+    return gap_ > 0 ? 1 + affine * (products.linear + affine * products.square) / gap_ : 0;
+  }
+  /// Changes nothing if the Newton system has no solution in floating-point arithmetic.
+  StepLengths step(double mu) override {
+    assemble(false, [&](ChainBound& b, double penalty) { b.aim_at(mu, penalty); });
+    newton_.solve(states_[n_]);
+    const double taken = reach(to_boundary);
+    if (!finite()) return {HUGE_VAL, HUGE_VAL};
+    taken_ = taken;
+    for (std::size_t c = 0; c < n_; ++c)
+      if (free_[c]) controls_[c] += taken_ * newton_.d_controls[c];
+    begin_by(taken_);
+    dual_ *= 1 - taken_;
+    return {taken_, taken_};
   }
 
   /// Computes weights and gradient for the complementarity targets of the bounds, which aim(bound, penalty) sets.
@@ -190,13 +215,12 @@ class Method {
     }
   }
 
-  /// Computes the steps of slacks and multipliers; returns the largest step length, at most 1, that keeps them
-  /// positive.
-  double reach(double keep, ChainProducts* products = nullptr) {
-    double least = 1;
+  /// Computes the steps of slacks and multipliers; returns the length of the step.
+  double reach(double part, ChainProducts* products = nullptr) {
+    double most = 0;
     ChainProducts sums;
     const auto limit = [&](double value, double change) {
-      if (change < 0 && -keep * value > least * change) least = -keep * value / change;
+      if (-change > most * value) most = -change / value;
     };
     each([&](ChainBound& b, double sign, double x, double dx, double penalty) {
       b.direct(sign * (x + dx), penalty);
@@ -209,28 +233,7 @@ class Method {
       sums.add(b, penalty);
     });
     if (products != nullptr) *products = sums;
-    return least;
-  }
-
-  /// Returns false, without any change, if the Newton system has no solution in floating-point arithmetic.
-  bool step() {
-    assemble(true, [](ChainBound& b, double penalty) { b.aim_at_zero(penalty); });
-    newton_.factorise();
-    newton_.solve(states_[n_]);
-    ChainProducts products;
-    const double affine = reach(1, &products);
-    const double ratio = gap_ > 0 ? 1 + affine * (products.linear + affine * products.square) / gap_ : 0;
-    const double target = std::max(ratio * ratio * ratio, 1e-4) * mu_;
-    assemble(false, [&](ChainBound& b, double penalty) { b.aim_at(target, penalty); });
-    newton_.solve(states_[n_]);
-    const double taken = reach(0.995);
-    if (!finite()) return false;
-    taken_ = taken;
-    for (std::size_t c = 0; c < n_; ++c)
-      if (free_[c]) controls_[c] += taken_ * newton_.d_controls[c];
-    begin_by(taken_);
-    dual_ *= 1 - taken_;
-    return true;
+    return step_length(most, part);
   }
 
   /// Tells whether the step is finite everywhere.
@@ -279,9 +282,9 @@ class Method {
   std::vector<std::array<ChainBox, order>> state_bounds_;
   std::vector<ChainBox> control_bounds_;
   std::vector<char> free_;
-  ChainStep<order> newton_;
-  double taken_ = 0;  ///< part of the last step, which bounds take when they are measured
-  double gap_ = 0, mu_ = 0, residual_ = 0, objective_ = 0, dual_ = 1, violation_ = 0;
+  Riccati<order> newton_;
+  double taken_ = 0;  ///< length of the last step, which bounds go when they are evaluated
+  double gap_ = 0, dual_ = 1;
 };
 
 }  // namespace

@@ -204,7 +204,7 @@ BandSolution solve(const BandProgram& program, const std::vector<double>& start,
   InteriorPoint point = system.start(start);
   InteriorPointOptions interior;
   interior.gap = options.gap;
-  interior.residual = options.residual;
+  interior.primal_residual = options.residual;
   interior.dual_residual = options.gap * (1 + program.price);
   interior.common_step = true;
   interior.refined = false;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/contour/blend/smooth_band.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
 #include "core/geometry/curve/nurbs.hpp"
 #include "core/numeric/random.hpp"
@@ -41,25 +40,6 @@ TEST(SmoothBasis, AgreesWithNurbs) {
         EXPECT_NEAR(third[1][i], end[3][i], 1e-9);
       }
     }
-}
-
-TEST(SmoothBand, SolvesWhatItFactors) {
-  Random random(3);
-  constexpr std::size_t n = 40, w = 5;
-  BandMatrix<w> a(n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i > w ? i - w : 0; j <= i; ++j) a.at(i, j) = i == j ? 12 : random.uniform(-1, 1);
-  const BandMatrix<w> given = a;
-  std::vector<double> x(n), b(n, 0.0);
-  for (double& v : x) v = random.uniform(-1, 1);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i > w ? i - w : 0; j <= i; ++j) {
-      b[i] += given.at(i, j) * x[j];
-      if (j < i) b[j] += given.at(i, j) * x[i];
-    }
-  a.factor(silent_scope());
-  a.solve(b);
-  for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(b[i], x[i], 1e-13);
 }
 
 TubeProblem noisy_arc(double radius, double noise, std::size_t breaks) {

@@ -42,7 +42,7 @@ LawConflict SplineProgram::find_conflict(Progress progress) {
   double give = 1 + 2 * law.violation;
   InteriorPointOptions interior;
   interior.gap = 1e-6;
-  interior.residual = 1e-7;
+  interior.primal_residual = interior.dual_residual = 1e-7;
   interior.tick = [&] { progress.report("optimal law", 0); };
   for (int round = 0; round < 4; ++round) {
     add_rows();

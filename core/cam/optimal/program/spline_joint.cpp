@@ -35,7 +35,7 @@ JointStep SplineProgram::joint_step(const std::vector<LawSample>& samples, Progr
   set_point(0.05 / static_cast<double>(band_.rows()));
   InteriorPointOptions interior;
   interior.gap = 1e-8;
-  interior.residual = 1e-8;
+  interior.primal_residual = interior.dual_residual = 1e-8;
   interior.max_iterations = 50;
   interior.tick = [&] { progress.report("optimal law", 0); };
   const InteriorPointResult inner = solve_interior_point(band_, point_, interior);

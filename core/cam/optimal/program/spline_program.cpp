@@ -78,8 +78,7 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress progres
   for (;; ++result.rounds) {
     InteriorPointOptions interior;
     interior.gap = std::max(options.gap * 0.05, std::min(1e-3, 0.02 * distance));
-    interior.residual = 1e-9;
-    interior.primal_residual = (polishing > 0 ? 0.02 : 0.2) * options.violation;
+    interior.primal_residual = std::min(1e-9, (polishing > 0 ? 0.02 : 0.2) * options.violation);
     interior.tick = [&] { progress.report("optimal law", 0); };
     interior.max_iterations = 30;
     InteriorPointResult inner = solve_interior_point(band_, point_, interior);

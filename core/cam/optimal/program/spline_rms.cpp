@@ -80,8 +80,8 @@ SplineResult SplineProgram::least_rms(int order, const SplineResult& first, Prog
   for (int round = 0; round < most_rounds; ++round) {
     InteriorPointOptions interior;
     interior.gap = 1e-9;
-    interior.residual = 1e-8;
     interior.primal_residual = 1e-11;
+    interior.dual_residual = 1e-8;
     interior.common_step = true;
     interior.max_iterations = 60;
     interior.tick = [&] { progress.report("second objective", 0); };

@@ -89,7 +89,8 @@ Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& l
   for (std::size_t i = 0; i < g.size(); ++i) point.z[i] = 1 / share / point.s[i];
   InteriorPointOptions interior;
   interior.gap = options.gap;
-  interior.residual = 1e-7;  // the bound holds whatever the residuals are, but loses what they may be worth
+  // The bound holds whatever the residuals are, but loses what they may be worth.
+  interior.primal_residual = interior.dual_residual = 1e-7;
   interior.max_iterations = 60;
   interior.tick = [&] { progress.report("bound", 0); };
   const InteriorPointResult inner = solve_interior_point(band, point, interior);

@@ -1,4 +1,5 @@
-// The steps of the relaxation's interior-point method. Each is a sweep over the splines, with the hats beside them.
+#pragma once
+/// The sweeps of a step of the relaxation over the splines, with the hats beside them.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +10,6 @@ namespace {
 
 using Sides = Lanes<2>;
 
-constexpr double never = 1e300;
 constexpr double most_down = 0.9, most_up = 4;  // largest relative change of b in one step
 
 Sides both(double x) { return Sides{x, -x}; }
@@ -31,12 +31,8 @@ struct Steps {
   void followed(const Inequality<V>& i) {
     primal = larger(primal, -(i.pending * i.inverse)), dual = larger(dual, -(i.multiplier_step / i.multiplier));
   }
-  /// Returns the step lengths of this place and resets them for the next one.
-  Sides leave() {
-    const Sides reach = farthest(primal, dual);
-    primal = dual = V{};
-    return reach;
-  }
+  /// Returns the reach of slacks and of multipliers.
+  Sides reach() const { return farthest(primal, dual); }
 };
 
 }  // namespace
@@ -51,10 +47,10 @@ typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_change(std::size_t 
 
 // The limits of acceleration at node j: takes their last step, and adds them to the system of b before and after it.
 template <int N>
-void RelaxationSolver<N>::assemble_hat(std::size_t j, double primal, double dual, Sides& products, Sides& worst) {
+void RelaxationSolver<N>::assemble_hat(std::size_t j, Sides& products, Sides& worst) {
   const WeakCell<N>&before = form_.cells[j + 1], &after = form_.cells[j + 2];
   const auto take = [&](Inequality<Sides>& q, Sides value) {
-    q.advance(primal, dual), q.residual = value + q.slack;
+    q.advance(taken_.primal, taken_.dual), q.residual = value + q.slack;
     products = products + q.slack * q.multiplier, worst = larger(worst, magnitude(q.residual));
     return q.weight();
   };
@@ -67,7 +63,7 @@ void RelaxationSolver<N>::assemble_hat(std::size_t j, double primal, double dual
     d11 += weight * f1 * f1, d10 += weight * f1 * f0, d00 += weight * f0 * f0;
     g1 += pull * f1, g0 += pull * f0;
   }
-  matrix_[j + 1][0] += d11, matrix_[j + 1][1] += d10, matrix_[j + 2][0] += d00;
+  matrix_.at(j + 1, j + 1) += d11, matrix_.at(j + 2, j + 1) += d10, matrix_.at(j + 2, j + 2) += d00;
   step_[j + 1] -= g1, step_[j + 2] -= g0;
 }
 
@@ -78,35 +74,35 @@ void RelaxationSolver<N>::assemble() {
   double complementarity = 0, violation = 0;
   Sides products{}, worst_hat{};
   duration_ = 0;
+  matrix_.reset(cells_ + 4);
+  for (const std::size_t a : {std::size_t{0}, std::size_t{1}, cells_ + 2, cells_ + 3}) matrix_.at(a, a) = 1;
   for (std::size_t i = 0; i < cells_; ++i) {
     const std::size_t a = i + 2;
-    const double primal = parts_.primal(i + 1), dual = parts_.dual(i + 1);
-    b_[a] *= 1 + primal * step_[a];
+    b_[a] *= 1 + taken_.primal * step_[a];
     root_[a] = 1 / std::sqrt(b_[a]);
     Inequality<double>& c = caps_[i];
-    c.advance(primal, dual);
+    c.advance(taken_.primal, taken_.dual);
     const double e = b_[a] * inverse_cap_[a], w = c.weight();
     c.residual = e - 1 + c.slack;
-    matrix_[a] = {w * e * e, 0, 0}, step_[a] = -w * c.residual * e;
+    matrix_.at(a, a) = w * e * e, step_[a] = -w * c.residual * e;
     complementarity += c.slack * c.multiplier;
     violation = std::max(violation, std::abs(c.residual));
   }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
     const std::array<double, 3> b{b_[j + 2], b_[j + 1], b_[j]};
-    const double primal = parts_.primal(j), dual = parts_.dual(j);
-    if (j < hats_.size()) assemble_hat(j, primal, dual, products, worst_hat);
+    if (j < hats_.size()) assemble_hat(j, products, worst_hat);
     Spline& s = splines_[j];
-    s.T += primal * s.step;
+    s.T += taken_.primal * s.step;
     duration_ += s.T;
-    s.time.advance(primal, dual);
+    s.time.advance(taken_.primal, taken_.dual);
     std::array<double, 3> e, pull{}, coupling{};
     std::array<double, 6> block{};  // entries at 00, 10, 11, 20, 21, 22
     double value = -s.T;
     for (std::size_t r = 0; r < 3; ++r) {
       const double time = c[r]->time[r] * root_[j + 2 - r];
       value += time, e[r] = -0.5 * time;
-      matrix_[j + 2 - r][0] += s.time.multiplier * 0.75 * time;
+      matrix_.at(j + 2 - r, j + 2 - r) += s.time.multiplier * 0.75 * time;
     }
     s.time.residual = value + s.time.slack;
     const double w0 = s.time.weight(), h0 = w0 * s.time.residual;
@@ -115,7 +111,7 @@ void RelaxationSolver<N>::assemble() {
     for (std::size_t k = 0; k < N; ++k) {
       Inequality<Sides>& q = s.jerk[k];
       const double f0 = c[0]->jerk[0][k], f1 = c[1]->jerk[1][k], f2 = c[2]->jerk[2][k];
-      q.advance(primal, dual);
+      q.advance(taken_.primal, taken_.dual);
       q.residual = both(f0 * b[0] + f1 * b[1] + f2 * b[2]) - (s.T + form_.allowed[j][k]) + q.slack;
       const Sides w = q.weight(), h = w * q.residual;
       products = products + q.slack * q.multiplier, worst = larger(worst, magnitude(q.residual));
@@ -134,7 +130,7 @@ void RelaxationSolver<N>::assemble() {
     for (std::size_t r = 0, p = 0; r < 3; ++r) {
       const double half = s.coupling[r] * s.inverse_curvature;
       for (std::size_t q = 0; q <= r; ++q, ++p)
-        matrix_[j + 2 - r][r - q] += w0 * e[r] * e[q] + block[p] * b[r] * b[q] - half * s.coupling[q];
+        matrix_.at(j + 2 - q, j + 2 - r) += w0 * e[r] * e[q] + block[p] * b[r] * b[q] - half * s.coupling[q];
       step_[j + 2 - r] -= h0 * e[r] + pull[r] * b[r] + s.coupling[r] * share;
     }
     progress_->work(1);
@@ -143,40 +139,20 @@ void RelaxationSolver<N>::assemble() {
   violation_ = std::max(violation, largest(worst_hat));
 }
 
-// L D Lᵀ of five diagonals.
-template <int N>
-void RelaxationSolver<N>::factor() {
-  double d1 = 0, l1 = 0, l2 = 0, d2 = 0,
-         m2 = 0;  // factors of the previous row; D and the second factor of the row before that
-  for (std::size_t a = 2; a < cells_ + 2; ++a) {
-    double d = matrix_[a][0] - l1 * l1 * d1 - m2 * m2 * d2;
-    const double next = matrix_[a][1] - l1 * l2 * d1, second = matrix_[a][2];
-    if (!(d > 0)) d = never;  // rounding only: this b is unchanged
-    const double inverse = 1 / d;
-    m2 = l2, d2 = d1, d1 = d, l1 = next * inverse, l2 = second * inverse;
-    matrix_[a] = {inverse, l1, l2};
-  }
-}
-
 template <int N>
 void RelaxationSolver<N>::solve_factored() {
   step_[0] = step_[1] = step_[cells_ + 2] = step_[cells_ + 3] = 0;
-  for (std::size_t a = 2; a < cells_ + 2; ++a)
-    step_[a] -= matrix_[a - 1][1] * step_[a - 1] + matrix_[a - 2][2] * step_[a - 2];
-  for (std::size_t a = cells_ + 2; a-- > 2;)
-    step_[a] = step_[a] * matrix_[a][0] - matrix_[a][1] * step_[a + 1] - matrix_[a][2] * step_[a + 2];
+  matrix_.solve(step_);
 }
 
 // Effect of the predictor's step on every inequality.
 template <int N>
-typename RelaxationSolver<N>::Promise RelaxationSolver<N>::predict(bool even) {
+typename RelaxationSolver<N>::Promise RelaxationSolver<N>::affine() {
   Steps<double> one;
   Steps<Sides> two;
-  parts_.begin(splines_.size(), even);
   for (std::size_t i = 0; i < cells_; ++i) {
     const double change = step_[i + 2] * b_[i + 2] * inverse_cap_[i + 2];
     caps_[i].predict(change), one.predicted(caps_[i], change);
-    if (!even) parts_.stop(i + 1, one.leave());
   }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
@@ -198,24 +174,22 @@ typename RelaxationSolver<N>::Promise RelaxationSolver<N>::predict(bool even) {
           both(c[0]->jerk[0][k] * moved[0] + c[1]->jerk[1][k] * moved[1] + c[2]->jerk[2][k] * moved[2]) - T;
       s.jerk[k].predict(change), two.predicted(s.jerk[k], change);
     }
-    if (!even) parts_.stop(j, larger(one.leave(), two.leave()));
     progress_->work(1);
   }
-  if (even) parts_.stop(0, larger(one.leave(), two.leave()));
+  reach_ = larger(one.reach(), two.reach());
   return {one.change + sum(two.change), one.product + sum(two.product)};
 }
 
 // The right-hand side of the step towards complementarity `target`, with the product of the predictor's steps, less of
 // it where less of them could be taken.
 template <int N>
-void RelaxationSolver<N>::correct(double target) {
+void RelaxationSolver<N>::correct(double target, double part) {
   for (std::size_t i = 0; i < cells_; ++i) {
-    caps_[i].pending = caps_[i].aim(target, parts_.of_product(i + 1));
+    caps_[i].pending = caps_[i].aim(target, part);
     step_[i + 2] = -b_[i + 2] * inverse_cap_[i + 2] * caps_[i].pending;
   }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
-    const double part = parts_.of_product(j);
     if (j < hats_.size()) {
       Sides g0{}, g1{};
       for (std::size_t k = 0; k < N; ++k) {
@@ -245,15 +219,13 @@ void RelaxationSolver<N>::correct(double target) {
 }
 
 template <int N>
-void RelaxationSolver<N>::follow(bool even) {
+void RelaxationSolver<N>::follow() {
   Steps<double> one;
   Steps<Sides> two;
-  parts_.begin(splines_.size(), even);
   for (std::size_t i = 0; i < cells_; ++i) {
     const double step = step_[i + 2];
     caps_[i].follow(step * b_[i + 2] * inverse_cap_[i + 2]), one.followed(caps_[i]);
     one.primal = std::max({one.primal, -step / most_down, step / most_up});
-    if (!even) parts_.stop(i + 1, one.leave());
   }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
@@ -276,15 +248,14 @@ void RelaxationSolver<N>::follow(bool even) {
                        T);
       two.followed(s.jerk[k]);
     }
-    if (!even) parts_.stop(j, larger(one.leave(), two.leave()));
     progress_->work(1);
   }
-  if (even) parts_.stop(0, larger(one.leave(), two.leave()));
+  reach_ = larger(one.reach(), two.reach());
 }
 
 // Bound of the effect of the Lagrangian's gradient on the duration, by relative changes of every T and every b.
 template <int N>
-double RelaxationSolver<N>::dual_residual() const {
+double RelaxationSolver<N>::dual_residual() {
   std::vector<double> gradient(b_.size(), 0);
   double residual = 0;
   for (std::size_t i = 0; i < cells_; ++i) gradient[i + 2] = caps_[i].multiplier * b_[i + 2] * inverse_cap_[i + 2];
@@ -308,42 +279,5 @@ double RelaxationSolver<N>::dual_residual() const {
   for (const double g : gradient) residual += std::abs(g);
   return residual / duration_;
 }
-
-template Lanes<2> RelaxationSolver<2>::hat_change(std::size_t, std::size_t, double, double) const;
-template Lanes<2> RelaxationSolver<3>::hat_change(std::size_t, std::size_t, double, double) const;
-template Lanes<2> RelaxationSolver<5>::hat_change(std::size_t, std::size_t, double, double) const;
-template Lanes<2> RelaxationSolver<8>::hat_change(std::size_t, std::size_t, double, double) const;
-template void RelaxationSolver<2>::assemble_hat(std::size_t, double, double, Lanes<2>&, Lanes<2>&);
-template void RelaxationSolver<3>::assemble_hat(std::size_t, double, double, Lanes<2>&, Lanes<2>&);
-template void RelaxationSolver<5>::assemble_hat(std::size_t, double, double, Lanes<2>&, Lanes<2>&);
-template void RelaxationSolver<8>::assemble_hat(std::size_t, double, double, Lanes<2>&, Lanes<2>&);
-template void RelaxationSolver<2>::assemble();
-template void RelaxationSolver<3>::assemble();
-template void RelaxationSolver<5>::assemble();
-template void RelaxationSolver<8>::assemble();
-template void RelaxationSolver<2>::factor();
-template void RelaxationSolver<3>::factor();
-template void RelaxationSolver<5>::factor();
-template void RelaxationSolver<8>::factor();
-template void RelaxationSolver<2>::solve_factored();
-template void RelaxationSolver<3>::solve_factored();
-template void RelaxationSolver<5>::solve_factored();
-template void RelaxationSolver<8>::solve_factored();
-template typename RelaxationSolver<2>::Promise RelaxationSolver<2>::predict(bool);
-template typename RelaxationSolver<3>::Promise RelaxationSolver<3>::predict(bool);
-template typename RelaxationSolver<5>::Promise RelaxationSolver<5>::predict(bool);
-template typename RelaxationSolver<8>::Promise RelaxationSolver<8>::predict(bool);
-template void RelaxationSolver<2>::correct(double);
-template void RelaxationSolver<3>::correct(double);
-template void RelaxationSolver<5>::correct(double);
-template void RelaxationSolver<8>::correct(double);
-template void RelaxationSolver<2>::follow(bool);
-template void RelaxationSolver<3>::follow(bool);
-template void RelaxationSolver<5>::follow(bool);
-template void RelaxationSolver<8>::follow(bool);
-template double RelaxationSolver<2>::dual_residual() const;
-template double RelaxationSolver<3>::dual_residual() const;
-template double RelaxationSolver<5>::dual_residual() const;
-template double RelaxationSolver<8>::dual_residual() const;
 
 }  // namespace bahnwerk

@@ -1,25 +1,28 @@
 #pragma once
-/// Symmetric positive definite band matrices: A = L D Lᵀ without pivoting, O(n w²). Eigen has no band factorisation,
-/// and its sparse one (SimplicialLDLT) takes several times as long at the widths of blends, 11 in the plane and 17 in
-/// space. This one is fast because the compiler knows the length of a column, and because no sum depends on another.
-/// The kernels are inlined into their callers, where the compiler may use wider registers (smooth_system.cpp).
+/// Symmetric positive definite band matrices: A = L D Lᵀ without pivoting (Golub & Van Loan, "Matrix Computations",
+/// 4.3.5), O(n w²). Eigen has no band factorisation, and its sparse one (SimplicialLDLT) takes several times as long at
+/// widths of 11 and 17. This one is fast because the compiler knows the length of a column, and because no sum depends
+/// on another. The kernels are inlined into their callers, where the compiler may use wider registers.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-#include "core/base/progress_scope.hpp"
 #include "core/numeric/large_pages.hpp"
 
-namespace bahnwerk::blending {
+namespace bahnwerk {
 
 /// Stores entries up to `Width` beside the diagonal.
 template <std::size_t Width>
-class BandMatrix {
+class SymmetricBand {
  public:
-  explicit BandMatrix(std::size_t n) : n_(n), a_((n + Width) * (Width + 1), 0.0) {}
-  void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
+  explicit SymmetricBand(std::size_t n = 0) { reset(n); }
+  /// Becomes the zero matrix of n rows; keeps its memory.
+  void reset(std::size_t n) {
+    n_ = n;
+    a_.assign((n + Width) * (Width + 1), 0.0);
+  }
   std::size_t size() const { return n_; }
   /// Returns an entry of the lower half, j ≤ i ≤ j + Width. Entries of one column j are contiguous.
   double& at(std::size_t i, std::size_t j) { return a_[j * Width + i]; }
@@ -30,12 +33,13 @@ class BandMatrix {
   const double* column(std::size_t j) const { return &a_[j * (Width + 1)]; }
 
   /// Factors in place. A pivot that rounding has made non-positive is replaced, which leaves that unknown unchanged.
-  /// Reports to `progress` every few thousand columns.
-  [[gnu::always_inline]] void factor(ProgressScope& progress) {
+  /// Calls tick() for every column.
+  template <class Tick>
+  [[gnu::always_inline]] void factor(Tick&& tick) {
     given_.resize(n_);
     for (std::size_t k = 0; k < n_; ++k) given_[k] = at(k, k);
     for (std::size_t k = 0; k < n_; ++k) {
-      progress.work();
+      tick();
       double* const here = column(k);
       if (!(here[0] > 1e-15 * given_[k])) here[0] = 1e15 * std::max(given_[k], 1e-300);
       std::array<double, Width + 1> below, share;
@@ -81,9 +85,9 @@ class BandMatrix {
     for (std::size_t j = I; j <= Width; ++j) column[j - I] -= share * below[j];
   }
 
-  std::size_t n_;
+  std::size_t n_ = 0;
   LargeVector<double> a_;
   std::vector<double> given_;
 };
 
-}  // namespace bahnwerk::blending
+}  // namespace bahnwerk
