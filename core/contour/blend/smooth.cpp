@@ -70,6 +70,7 @@ class Solver final : FeasibleProblem {
     FeasibleOptions options;
     options.gap = gap;
     options.iterations = max_newton;
+    options.centred = 0.3;
     double sum = 0;
     for (std::size_t i = 0; i < system_.sites(); ++i) {
       options.weights.push_back(system_.gain(i));

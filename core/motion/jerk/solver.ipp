@@ -13,6 +13,8 @@ namespace {
 /// constant below, they are always equal: large steps of different lengths would violate the equations too much.
 constexpr int uneven_steps = 10;
 constexpr double rough_start = 5e-3;
+/// Multipliers nearer zero would impede the next change of shares.
+constexpr double least_mu = 0.3;
 
 }  // namespace
 
@@ -81,6 +83,7 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
   InteriorPointRule rule;
   rule.gap = rule.dual_residual = options.gap;
   rule.primal_residual = options.violation;
+  rule.least_mu = least_mu;
   rule.max_iterations = options.iterations;
   const InteriorPointResult found = run_interior_point(*this, rule, mu > 0 ? mu : gap_ / scale_);
   for (std::size_t i = 0; i <= n_; ++i)

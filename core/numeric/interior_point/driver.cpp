@@ -5,9 +5,6 @@
 namespace bahnwerk {
 namespace {
 
-/// Part of what the requested gap needs that μ keeps: products far below it only increase residuals, and multipliers
-/// near zero impede the next problem that continues from here.
-constexpr double least_part = 0.3;
 /// After so many steps as short as this the iterate counts as stuck at the boundary.
 constexpr double stuck_length = 0.05;
 constexpr int stuck_steps = 3;
@@ -26,7 +23,7 @@ InteriorPointResult run_interior_point(InteriorPointProblem& problem, const Inte
     result.converged = result.gap <= rule.gap && result.primal_residual <= rule.primal_residual &&
                        problem.dual_residual() <= rule.dual_residual;
     if (result.converged || now.enough || result.iterations >= rule.max_iterations || !problem.factor()) break;
-    const double mean = now.complementarity / now.weight, least = least_part * rule.gap * now.scale / now.weight;
+    const double mean = now.complementarity / now.weight, least = rule.least_mu * rule.gap * now.scale / now.weight;
     const std::optional<double> left = problem.predict();
     if (left) mu = std::max(*left * *left * *left * mean, least);
     const StepLengths taken = problem.step(mu);

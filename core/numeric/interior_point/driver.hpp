@@ -59,6 +59,8 @@ struct InteriorPointRule {
   double gap = 1e-9;              ///< Σ s z relative to the scale
   double primal_residual = 1e-9;  ///< in the problem's units; programs are scaled to the order of 1
   double dual_residual = 1e-9;
+  /// Part of what the gap needs that μ keeps: products far below it only increase residuals.
+  double least_mu = 0.1;
   int max_iterations = 80;
   std::function<void()> tick;  ///< callback of every iteration; may throw
 };

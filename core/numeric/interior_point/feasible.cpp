@@ -38,7 +38,7 @@ class FeasibleDriver {
       const bool stiff = stiffness_ > soft;
       const bool near = result.gap <= options_.gap && decrease_ <= (stiff ? 0.02 : 2) * options_.gap * scale;
       if (options_.certified ? options_.certified(multiplier_, result.gap) : near) break;
-      if (decrease_ > (stiff ? 0.02 : 0.3) * mu * total_) continue;
+      if (decrease_ > (stiff ? 0.02 : options_.centred) * mu * total_) continue;
       stiffness_ *= 0.25;
       mu = std::max(std::min(mu, mu_factor(length) * (sum / total_)), 0.2 * options_.gap * scale / total_);
     }

@@ -51,6 +51,9 @@ struct FeasibleOptions {
   double gap = 1e-3;    ///< the search ends where Σ λ g ≤ gap · scale, near enough to the minimum for μ
   int iterations = 60;  ///< largest number of iterations
   double start_mu = 0;  ///< first μ relative to scale / Σ w; 0: 0.3
+  /// μ falls once a step gains less than this part of μ Σ w. Little of it keeps iterates away from the boundary, where
+  /// steps are short, and costs further steps where f is far from convex.
+  double centred = 1;
   std::vector<double> weights = {};            ///< w; none: 1
   std::vector<double> start_multipliers = {};  ///< first λ; none: μ w / g
   std::function<void()> tick = {};             ///< callback of every iteration; may throw
