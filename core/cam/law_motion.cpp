@@ -20,11 +20,8 @@ class LawMotion final : public Motion {
   MotionState in_piece(std::size_t piece, double t) const override {
     const double x = (t - law_.breaks()[piece]) / law_.piece_duration(piece);
     MotionState state;
-    state.position[0] = law_.in_piece(piece, x, 0);
-    state.velocity[0] = law_.in_piece(piece, x, 1);
-    state.acceleration[0] = law_.in_piece(piece, x, 2);
-    state.jerk[0] = law_.in_piece(piece, x, 3);
-    state.snap[0] = law_.in_piece(piece, x, 4);
+    for (std::size_t order = 0; order < MotionState::orders; ++order)
+      state[order][0] = law_.in_piece(piece, x, static_cast<int>(order));
     return state;
   }
   bool polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const override {

@@ -10,14 +10,14 @@
 /// - G20 and G21 at any time, for every number from their own line on. G90 and G91. G80 ends the motion mode.
 /// - Rounding: the radii at both ends of an arc may differ by 0.01 mm, in inches by 0.0005 in (coordinates cut off
 ///   behind their fourth decimal), or as with LinuxCNC by 0.1 % of the radius, 0.5 mm or 0.05 in at most. The centre
-///   then moves to the chord's bisector; arcs of more than 300° become two (gcode/mover.hpp, ArcHalves). An R that is
-///   too small for its chord by no more than 0.01 mm or 0.0005 in makes a half circle.
+///   then moves to the chord's bisector; arcs of more than 300° become two (gcode/moves/mover.hpp, ArcHalves). An R
+///   that is too small for its chord by no more than 0.01 mm or 0.0005 in makes a half circle.
 /// - Canned cycles G73, G81, G82, G83, G85, G86, G89 as RS274NGC 3.5.16 has them, with R, Z, Q, P that hold, L, G98 and
 ///   G99, in any plane. G73 draws back by 0.254 mm, G83 comes back to 0.254 mm above the bottom; by P, if P is less
 ///   than the peck, else P is a dwell. R and Z that hold stay the levels, or with G91 the increments, that they were in
 ///   their own line.
 /// - G41 and G42 move lines and arcs of G17 aside by the radius that the options give for the number D, or for the tool
-///   T; G41.1 and G42.1 by half of the diameter D (gcode/compensation/compensation.hpp).
+///   T; G41.1 and G42.1 by half of the diameter D (gcode/moves/compensation.hpp).
 ///
 /// Position
 /// - G54 … G59.3 with offsets from the options or from G10 L2, L20; zero where there are none, which is noted (G54

@@ -41,9 +41,9 @@ class Reasons {
     };
     const std::size_t axes = machine_.axes.size();
     offer(law.v, std::min(feed, along_.velocity));
-    for (std::size_t k = 0; k < axes; ++k) offer(x.velocity[k], machine_.axes[k].velocity);
-    for (std::size_t k = 0; k < axes; ++k) offer(x.acceleration[k], machine_.axes[k].acceleration);
-    for (std::size_t k = 0; k < axes; ++k) offer(x.jerk[k], machine_.axes[k].jerk);
+    for (std::size_t k = 0; k < axes; ++k) offer(x[1][k], machine_.axes[k].velocity);
+    for (std::size_t k = 0; k < axes; ++k) offer(x[2][k], machine_.axes[k].acceleration);
+    for (std::size_t k = 0; k < axes; ++k) offer(x[3][k], machine_.axes[k].jerk);
     offer(law.a, along_.acceleration);
     offer(law.j, along_.jerk);
     return best;

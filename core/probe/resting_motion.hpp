@@ -23,7 +23,7 @@ class RestingMotion final : public Motion {
   /// Returns the last point, with all derivatives 0.
   MotionState final_state() const override {
     MotionState state;
-    for (std::size_t k = 0; k < axes(); ++k) state.position[k] = end_[k];
+    for (std::size_t k = 0; k < axes(); ++k) state[0][k] = end_[k];
     return state;
   }
 

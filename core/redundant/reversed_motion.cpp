@@ -26,8 +26,8 @@ MotionState ReversedMotion::in_piece(std::size_t piece, double t) const {
   const Part& part = parts_[piece];
   const double at = std::clamp(part.end - (t - part.begin), motion_->begin(part.piece), motion_->end(part.piece));
   MotionState state = motion_->in_piece(part.piece, at);
-  for (double& v : state.velocity) v = -v;
-  for (double& j : state.jerk) j = -j;
+  for (const std::size_t odd : {1, 3})
+    for (double& x : state[odd]) x = -x;
   return state;
 }
 

@@ -13,7 +13,7 @@
 #include "server/cli/typed_options.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
-#include "server/store/move_store.hpp"
+#include "server/store/open/move_store.hpp"
 #include "server/store/store_url.hpp"
 
 namespace bahnwerk::server::cli {

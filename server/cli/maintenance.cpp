@@ -9,8 +9,8 @@
 #include "server/cli/cli.hpp"
 #include "server/cli/progress_bar.hpp"
 #include "server/runtime/clock.hpp"
-#include "server/store/move_store.hpp"
 #include "server/store/open.hpp"
+#include "server/store/open/move_store.hpp"
 #include "server/store/store_url.hpp"
 
 namespace bahnwerk::server::cli {

@@ -5,7 +5,7 @@
 #include "core/base/progress.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/redundant/chain/chain_solver.hpp"
-#include "core/redundant/coarse/following.hpp"
+#include "core/redundant/head/following.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 
 namespace bahnwerk {

@@ -272,8 +272,7 @@ TEST_F(ServiceTest, LongChecksEndAndNeverHoldAShortOne) {
     api::JobRequest request = parse(body, progress);
     if (body != R"({"long":true})") return request;
     ++begun;
-    if (progress != nullptr) return checked_for_ever(*progress, std::move(request));
-    return request;
+    return checked_for_ever(progress, std::move(request));
   };
   options.workers = 0;
   service = std::make_unique<Service>(options, std::move(engine), time);
@@ -298,7 +297,7 @@ TEST_F(ServiceTest, LongChecksEndAndNeverHoldAShortOne) {
 TEST_F(ServiceTest, TheCheckThatWasStoppedIsTheBeginOfThePlan) {
   Engine engine = stub_engine();
   engine.parse = [parse = engine.parse](std::string_view body, Progress progress) {
-    return checked_for_ever(*progress, parse(body, progress));
+    return checked_for_ever(progress, parse(body, progress));
   };
   engine.check = [](std::string_view, Progress) { throw api::Problem("semantic-violation", "found late"); };
   service = std::make_unique<Service>(options, std::move(engine));

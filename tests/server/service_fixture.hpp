@@ -23,7 +23,7 @@ inline Engine stub_engine(const TimeSource& time = system_time()) {
   engine.preview = [](std::string_view, Progress) {
     return nlohmann::ordered_json{{"kind", "ramp"}, {"checked", true}};
   };
-  engine.parse = [&time](std::string_view body, Progress*) {
+  engine.parse = [&time](std::string_view body, Progress) {
     const json document = json::parse(body, nullptr, false);
     if (document.is_discarded()) throw api::Problem("invalid-json", "not JSON");
     api::JobRequest request;

@@ -22,7 +22,7 @@ ordered_json points(const ProbePlan& plan) {
     const double t = plan.motion.times[problem.point_of[i]];
     const MotionState x = plan.motion.motion->evaluate(t, piece);
     Vec position;
-    for (std::size_t k = 0; k < problem.dimension(); ++k) position[k] = x.position[k];
+    for (std::size_t k = 0; k < problem.dimension(); ++k) position[k] = x[0][k];
     list.push_back({{"index", i}, {"time", t}, {"distance", norm(position - problem.given[i])}});
   }
   return list;

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/contour/gcode.hpp"
-#include "core/contour/gcode/compensation/compensation.hpp"
 #include "core/contour/gcode/cycle.hpp"
+#include "core/contour/gcode/moves/compensation.hpp"
 #include "core/contour/gcode/notes.hpp"
 #include "core/contour/gcode/offsets.hpp"
 #include "core/contour/gcode/saved_modes.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/contour/gcode/mover.hpp"
+#include "core/contour/gcode/moves/mover.hpp"
 
 namespace bahnwerk::gcode {
 

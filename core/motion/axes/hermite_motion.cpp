@@ -13,7 +13,7 @@ namespace {
 constexpr double position_counts = 2e-4;  // s
 constexpr double velocity_counts = 1e-6;  // s
 
-bool still(const MotionState& x, std::size_t k) { return x.velocity[k] == 0 && x.acceleration[k] == 0; }
+bool still(const MotionState& x, std::size_t k) { return x[1][k] == 0 && x[2][k] == 0; }
 
 Polynomial quintic(double h, double x0, double v0, double a0, double x1, double v1, double a1) {
   if (h < velocity_counts) return {x0, v0, 0.5 * a0, (a1 - a0) / (6 * h)};
@@ -41,15 +41,14 @@ void join(const SplineMotion::Piece& before, double duration, std::size_t first,
       for (const double c : p) terms += std::abs(c) * power, power *= duration;
       if (const double end = evaluate(p, duration); !(std::abs(end - value) <= rounding * terms)) value = end;
     };
-    take(before.axes[k], state.position[first + k]);
-    take(derivative(before.axes[k]), state.velocity[first + k]);
+    take(before.axes[k], state[0][first + k]);
+    take(derivative(before.axes[k]), state[1][first + k]);
   }
 }
 
 Polynomial hermite_quintic(double h, const MotionState& left, const MotionState& right, std::size_t k) {
-  if (still(left, k) && still(right, k) && left.position[k] == right.position[k]) return {left.position[k]};
-  return quintic(h, left.position[k], left.velocity[k], left.acceleration[k], right.position[k], right.velocity[k],
-                 right.acceleration[k]);
+  if (still(left, k) && still(right, k) && left[0][k] == right[0][k]) return {left[0][k]};
+  return quintic(h, left[0][k], left[1][k], left[2][k], right[0][k], right[1][k], right[2][k]);
 }
 
 SplineMotion hermite_motion(const Motion& motion, std::size_t first, std::size_t last, double longest) {

@@ -39,13 +39,8 @@ SumOfMotions::SumOfMotions(std::shared_ptr<const Motion> first, std::shared_ptr<
 MotionState SumOfMotions::in_piece(std::size_t piece, double t) const {
   MotionState sum = first_->in_piece(begin_[piece].first, t);
   const MotionState other = second_->in_piece(begin_[piece].second, t);
-  for (std::size_t k = 0; k < axes(); ++k) {
-    sum.position[k] += other.position[k];
-    sum.velocity[k] += other.velocity[k];
-    sum.acceleration[k] += other.acceleration[k];
-    sum.jerk[k] += other.jerk[k];
-    sum.snap[k] += other.snap[k];
-  }
+  for (std::size_t order = 0; order < MotionState::orders; ++order)
+    for (std::size_t k = 0; k < axes(); ++k) sum[order][k] += other[order][k];
   return sum;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// N axes over time, in pieces. Setpoints, verifier and drawings take any motion: an axis path driven by a time law, a
 /// spline in time, a sum of two motions.
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -10,9 +11,15 @@
 
 namespace bahnwerk {
 
-/// Position, velocity, acceleration, jerk and snap of every axis: unit, unit/s … unit/s⁴.
-struct MotionState {
-  AxisArray position{}, velocity{}, acceleration{}, jerk{}, snap{};
+/// Position and derivatives of every axis by time: state[order][axis], of order 0 to 4 (snap), in unit/s^order.
+class MotionState {
+ public:
+  static constexpr std::size_t orders = 5;
+  AxisArray& operator[](std::size_t order) { return values_[order]; }
+  const AxisArray& operator[](std::size_t order) const { return values_[order]; }
+
+ private:
+  std::array<AxisArray, orders> values_{};
 };
 
 /// Immutable and thread-safe. Inside a piece every axis is smooth; where pieces meet, derivatives may jump.
@@ -28,7 +35,7 @@ class Motion {
   /// Returns the state in which the motion ends: the last piece's at its end, unless the motion knows it without
   /// rounding.
   virtual MotionState final_state() const { return in_piece(pieces() - 1, duration()); }
-  /// Returns whether `MotionState::snap` is computed; otherwise it is 0.
+  /// Returns whether the state of order 4 is computed; otherwise it is 0.
   virtual bool has_snap() const { return false; }
   /// Writes the position of an axis in a piece as a polynomial of t − begin(piece), lowest coefficient first, if it is
   /// one; then its peaks can be enclosed. Returns false, and leaves `out` unchanged, if it is none.

@@ -30,8 +30,8 @@ MotionState SplineMotion::in_piece(std::size_t piece, double t) const {
       for (std::size_t n = 4; n > 0; --n) d[n] = d[n] * x + d[n - 1];
       d[0] = d[0] * x + p[i];
     }
-    state.position[k] = d[0], state.velocity[k] = d[1], state.acceleration[k] = 2 * d[2];
-    state.jerk[k] = 6 * d[3], state.snap[k] = 24 * d[4];
+    state[0][k] = d[0], state[1][k] = d[1], state[2][k] = 2 * d[2];
+    state[3][k] = 6 * d[3], state[4][k] = 24 * d[4];
   }
   return state;
 }

@@ -11,10 +11,10 @@ MotionState PathMotion::driven(std::size_t piece, const LawState& x) const {
   const double v2 = x.v * x.v, v3 = v2 * x.v;
   MotionState state;
   for (std::size_t k = 0, n = axes(); k < n; ++k) {  // number by number: copying the array would wait for its stores
-    state.position[k] = q.value[k];
-    state.velocity[k] = q.d1[k] * x.v;
-    state.acceleration[k] = q.d2[k] * v2 + q.d1[k] * x.a;
-    state.jerk[k] = q.d3[k] * v3 + 3 * x.v * x.a * q.d2[k] + q.d1[k] * x.j;
+    state[0][k] = q.value[k];
+    state[1][k] = q.d1[k] * x.v;
+    state[2][k] = q.d2[k] * v2 + q.d1[k] * x.a;
+    state[3][k] = q.d3[k] * v3 + 3 * x.v * x.a * q.d2[k] + q.d1[k] * x.j;
   }
   return state;
 }
@@ -43,7 +43,7 @@ void PathMotion::write_driven(std::size_t piece, const LawState& x, double* out)
 MotionState PathMotion::final_state() const {
   MotionState state;
   if (const std::size_t segments = path_->size(); segments > 0)
-    state.position = path_->at_parameter(segments - 1, (*path_)[segments - 1].curve().end()).value;
+    state[0] = path_->at_parameter(segments - 1, (*path_)[segments - 1].curve().end()).value;
   return state;
 }
 

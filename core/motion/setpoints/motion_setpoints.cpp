@@ -24,9 +24,8 @@ MotionSetpoints::MotionSetpoints(std::shared_ptr<const Motion> motion, const Mac
 
 namespace {
 void write_state(const MotionState& state, std::size_t axes, std::size_t orders, double* out) {
-  const std::array parts{&state.position, &state.velocity, &state.acceleration, &state.jerk, &state.snap};
   for (std::size_t order = 0; order < orders; ++order)
-    for (std::size_t i = 0; i < axes; ++i) *out++ = (*parts[order])[i];
+    for (std::size_t i = 0; i < axes; ++i) *out++ = state[order][i];
 }
 }  // namespace
 

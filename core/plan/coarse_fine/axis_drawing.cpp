@@ -1,7 +1,6 @@
 #include "core/plan/coarse_fine/axis_drawing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "core/base/progress_scope.hpp"
@@ -23,12 +22,10 @@ struct Curves {
   std::vector<Envelope> head, coarse, fine;
   explicit Curves(double end) : head(3, {columns, end}), coarse(head), fine(head) {}
   void add(double t, const MotionState& x, const MotionState& c, std::size_t k) {
-    const std::array<const AxisArray*, 3> whole{&x.position, &x.velocity, &x.acceleration};
-    const std::array<const AxisArray*, 3> part{&c.position, &c.velocity, &c.acceleration};
     for (std::size_t d = 0; d < 3; ++d) {
-      head[d].add(t, (*whole[d])[k]);
-      coarse[d].add(t, (*part[d])[k]);
-      fine[d].add(t, (*whole[d])[k] - (*part[d])[k]);
+      head[d].add(t, x[d][k]);
+      coarse[d].add(t, c[d][k]);
+      fine[d].add(t, x[d][k] - c[d][k]);
     }
   }
 };
@@ -90,8 +87,7 @@ std::vector<Vec> coarse_way(const CoarseFinePlan& plan) {
   const Motion& coarse = *plan.coarse;
   const auto add = [&](const MotionState& x) {
     Vec p;
-    for (std::size_t k = 0; k < std::min<std::size_t>(coarse.axes(), plan.contour.path->dimension); ++k)
-      p[k] = x.position[k];
+    for (std::size_t k = 0; k < std::min<std::size_t>(coarse.axes(), plan.contour.path->dimension); ++k) p[k] = x[0][k];
     way.push_back(p);
   };
   for (std::size_t c = 0; c < coarse.pieces(); ++c) add(coarse.in_piece(c, coarse.begin(c)));

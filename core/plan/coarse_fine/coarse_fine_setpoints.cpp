@@ -20,8 +20,8 @@ void CoarseFineSetpoints::write(Row& row, double* out) const {
   const std::size_t axes = coarse_->axes();
   const double* head = out;
   out += contour_columns();
-  for (const AxisArray* part : {&coarse.position, &coarse.velocity, &coarse.acceleration}) {
-    for (std::size_t k = 0; k < axes; ++k) out[k] = (*part)[k], out[axes + k] = head[k] - (*part)[k];
+  for (std::size_t order = 0; order < 3; ++order) {
+    for (std::size_t k = 0; k < axes; ++k) out[k] = coarse[order][k], out[axes + k] = head[k] - coarse[order][k];
     head += axes, out += 2 * axes;
   }
 }

@@ -47,26 +47,22 @@ MotionState FittedMotion::in_piece(std::size_t piece, double t) const {
   MotionState state = motion_->in_piece(piece, motion_->begin(piece) + (t - begin_[piece]) / factor_);
   const std::size_t moving = motion_->axes();
   double power = factor_;
-  for (AxisArray* part : {&state.velocity, &state.acceleration, &state.jerk, &state.snap}) {
-    for (std::size_t k = 0; k < moving; ++k) (*part)[k] /= power;
-    power *= factor_;
-  }
+  for (std::size_t order = 1; order < MotionState::orders; ++order, power *= factor_)
+    for (std::size_t k = 0; k < moving; ++k) state[order][k] /= power;
   if (piece + 1 == pieces())
     for (std::size_t k = 0; k < last_.size(); ++k) {
       if (last_[k].empty()) continue;
       Polynomial p = last_[k];
-      for (AxisArray* part : {&state.position, &state.velocity, &state.acceleration, &state.jerk, &state.snap}) {
-        (*part)[k] = bahnwerk::evaluate(p, t - begin_[piece]);
-        p = derivative(p);
-      }
+      for (std::size_t order = 0; order < MotionState::orders; ++order, p = derivative(p))
+        state[order][k] = bahnwerk::evaluate(p, t - begin_[piece]);
     }
-  for (std::size_t k = 0; k < still_.size(); ++k) state.position[moving + k] = still_[k];
+  for (std::size_t k = 0; k < still_.size(); ++k) state[0][moving + k] = still_[k];
   return state;
 }
 
 MotionState FittedMotion::final_state() const {
   MotionState state;
-  state.position = in_piece(pieces() - 1, duration_).position;
+  state[0] = in_piece(pieces() - 1, duration_)[0];
   return state;
 }
 

@@ -19,7 +19,7 @@ RmsAccelerations rms_accelerations(const Motion& head, const Motion& coarse, Pro
       const double at = t + half * (1 + place);
       const MotionState x = head.in_piece(h, at), g = coarse.in_piece(c, at);
       for (std::size_t k = 0; k < axes; ++k) {
-        const double a = g.acceleration[k], f = (k < moving ? x.acceleration[k] : 0) - a;
+        const double a = g[2][k], f = (k < moving ? x[2][k] : 0) - a;
         rms.coarse[k] += half * weight * a * a;
         rms.fine[k] += half * weight * f * f;
       }

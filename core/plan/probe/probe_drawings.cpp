@@ -60,7 +60,7 @@ std::vector<Vec> places(const SplineMotion& motion) {
           motion.begin(i) + (motion.end(i) - motion.begin(i)) * static_cast<double>(k) / static_cast<double>(parts);
       const MotionState x = motion.in_piece(i, t);
       Vec p;
-      for (std::size_t axis = 0; axis < motion.axes(); ++axis) p[axis] = x.position[axis];
+      for (std::size_t axis = 0; axis < motion.axes(); ++axis) p[axis] = x[0][axis];
       list.push_back(p);
     }
   return list;
@@ -151,10 +151,10 @@ std::string probe_motion_drawing(const ProbePlan& plan, Progress progress) {
       while (edge + 1 < problem.edges() && plan.motion.times[edge + 1] <= t) ++edge;
       Vec p, v;
       for (std::size_t axis = 0; axis < n; ++axis) {
-        p[axis] = x.position[axis], v[axis] = x.velocity[axis];
-        axes[axis][0].add(t, x.acceleration[axis]);
-        axes[axis][1].add(t, x.jerk[axis]);
-        axes[axis][2].add(t, x.snap[axis]);
+        p[axis] = x[0][axis], v[axis] = x[1][axis];
+        axes[axis][0].add(t, x[2][axis]);
+        axes[axis][1].add(t, x[3][axis]);
+        axes[axis][2].add(t, x[4][axis]);
       }
       deviation.add(t, distance_from_edge(p, problem.points[edge], problem.points[edge + 1]));
       speed.add(t, norm(v));

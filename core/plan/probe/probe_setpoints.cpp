@@ -25,11 +25,8 @@ void ProbeSetpoints::write(Row& row, double* out) const {
                                  : motion.evaluate(row.t, row.piece);
   Vec position, velocity;
   for (std::size_t k = 0; k < n; ++k) {
-    position[k] = x.position[k], velocity[k] = x.velocity[k];
-    out[k] = x.position[k];
-    out[n + k] = x.velocity[k];
-    out[2 * n + k] = x.acceleration[k];
-    out[3 * n + k] = x.jerk[k];
+    position[k] = x[0][k], velocity[k] = x[1][k];
+    for (std::size_t order = 0; order < 4; ++order) out[order * n + k] = x[order][k];
   }
   const auto& t = motion_.times;
   const auto passed = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), row.t) - t.begin());

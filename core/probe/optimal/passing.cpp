@@ -85,7 +85,7 @@ class PointFinder {
     locate(t);
     const MotionState s = motion_.in_piece(piece_, t);
     State out;
-    for (std::size_t k = 0; k < motion_.axes(); ++k) out.x[k] = s.position[k], out.v[k] = s.velocity[k];
+    for (std::size_t k = 0; k < motion_.axes(); ++k) out.x[k] = s[0][k], out.v[k] = s[1][k];
     return out;
   }
   void locate(double t) {

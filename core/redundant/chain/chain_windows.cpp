@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/numeric/windows.hpp"
-#include "core/redundant/head/clusters.hpp"
+#include "core/redundant/chain/clusters.hpp"
 
 namespace bahnwerk {
 namespace {

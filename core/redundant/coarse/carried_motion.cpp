@@ -32,8 +32,7 @@ CarriedMotion::CarriedMotion(std::shared_ptr<const PathMotion> head, std::shared
 MotionState CarriedMotion::chosen(MotionState carried, const MotionState& split) const {
   for (std::size_t k = 0; k < carried_.size(); ++k) {
     if (carried_[k]) continue;
-    carried.position[k] = split.position[k], carried.velocity[k] = split.velocity[k];
-    carried.acceleration[k] = split.acceleration[k], carried.jerk[k] = split.jerk[k];
+    for (std::size_t order = 0; order < MotionState::orders; ++order) carried[order][k] = split[order][k];
   }
   return carried;
 }

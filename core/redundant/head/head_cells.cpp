@@ -63,8 +63,7 @@ class Division {
     const double end = head_.end(last - 1);
     const MotionState state = last == head_.pieces() ? head_.final_state() : head_.in_piece(last - 1, end);
     cells_.times.push_back(end);
-    for (std::size_t a = 0; a < axes_; ++a)
-      cells_.nodes[a].push_back({state.position[a], state.velocity[a], state.acceleration[a]});
+    for (std::size_t a = 0; a < axes_; ++a) cells_.nodes[a].push_back({state[0][a], state[1][a], state[2][a]});
     return std::move(cells_);
   }
 

@@ -8,7 +8,7 @@
 #include "core/base/progress.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/redundant/head/slower_sections.hpp"
-#include "core/redundant/joint/joint_task.hpp"
+#include "core/redundant/joint_task.hpp"
 
 namespace bahnwerk {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/redundant/chain/chain_windows.hpp"
-#include "core/redundant/coarse/following.hpp"
-#include "core/redundant/head/clusters.hpp"
+#include "core/redundant/chain/clusters.hpp"
+#include "core/redundant/head/following.hpp"
 #include "core/redundant/head/section_timing_search.hpp"
 
 namespace bahnwerk {

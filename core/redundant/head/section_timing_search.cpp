@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/redundant/coarse/following.hpp"
+#include "core/redundant/head/following.hpp"
 
 namespace bahnwerk {
 namespace {

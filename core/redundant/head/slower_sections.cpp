@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/redundant/coarse/following.hpp"
+#include "core/redundant/head/following.hpp"
 
 namespace bahnwerk {
 namespace {

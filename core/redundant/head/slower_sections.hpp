@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "core/motion/law/time_law.hpp"
+#include "core/redundant/chain/clusters.hpp"
 #include "core/redundant/coarse/straight_move.hpp"
 #include "core/redundant/coarse_fine.hpp"
-#include "core/redundant/head/clusters.hpp"
 #include "core/redundant/head/head_cells.hpp"
 
 namespace bahnwerk {

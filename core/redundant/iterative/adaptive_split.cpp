@@ -143,8 +143,7 @@ HeadSamples AdaptiveSplit::sample(const PathMotion& head) const {
     const MotionState x = head.in_piece(piece, t);
     s.times.push_back(t);
     s.segments.push_back(head.law().pieces()[piece].segment);
-    for (std::size_t k = 0; k < axes(); ++k)
-      s.axes[k].push_back({x.position[k], x.velocity[k], x.acceleration[k], x.jerk[k]});
+    for (std::size_t k = 0; k < axes(); ++k) s.axes[k].push_back({x[0][k], x[1][k], x[2][k], x[3][k]});
   }
   return s;
 }
@@ -209,8 +208,7 @@ HeadCells AdaptiveSplit::cells_of(const TimeLaw& law) {
   HeadCells cells = head_cells(head, o, scope_);
   const MotionState end =
       head.in_piece(head.pieces() - 1, head.duration());  // the end of these sections, not of the path
-  for (std::size_t k = 0; k < axes(); ++k)
-    cells.nodes[k].back() = {end.position[k], end.velocity[k], end.acceleration[k]};
+  for (std::size_t k = 0; k < axes(); ++k) cells.nodes[k].back() = {end[0][k], end[1][k], end[2][k]};
   return cells;
 }
 

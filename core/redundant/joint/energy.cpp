@@ -16,8 +16,7 @@ std::vector<double> acceleration_energy(const Motion& motion) {
     const double begin = motion.begin(piece), half = 0.5 * (motion.end(piece) - begin);
     for (std::size_t i = 0; i < place.size(); ++i) {
       const MotionState x = motion.in_piece(piece, begin + half * (1 + place[i]));
-      for (std::size_t k = 0; k < energy.size(); ++k)
-        energy[k] += half * weight[i] * x.acceleration[k] * x.acceleration[k];
+      for (std::size_t k = 0; k < energy.size(); ++k) energy[k] += half * weight[i] * x[2][k] * x[2][k];
     }
   }
   return energy;

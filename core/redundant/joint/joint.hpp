@@ -25,7 +25,7 @@
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/redundant/coarse_fine.hpp"
-#include "core/redundant/joint/joint_task.hpp"
+#include "core/redundant/joint_task.hpp"
 #include "core/redundant/no_plan.hpp"
 
 namespace bahnwerk {

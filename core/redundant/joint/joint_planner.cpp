@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/redundant/chain/controllable_set.hpp"
-#include "core/redundant/coarse/following.hpp"
 #include "core/redundant/coarse/lone_move.hpp"
+#include "core/redundant/head/following.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -19,7 +19,7 @@ bool within_ranges(const LoneMove& move, const CoarseFineMachine& machine) {
   const SplineMotion motion(move.coarse);
   const MotionState begin = motion.in_piece(0, 0), end = motion.final_state();
   for (std::size_t k = 0; k < machine.axes.size(); ++k)
-    for (const double x : {begin.position[k], end.position[k]})
+    for (const double x : {begin[0][k], end[0][k]})
       if (x < machine.axes[k].coarse.lowest || x > machine.axes[k].coarse.highest) return false;
   return true;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/redundant/coarse/following.hpp"
+#include "core/redundant/head/following.hpp"
 #include "core/redundant/head/slowed_by_energy.hpp"
 
 namespace bahnwerk {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/redundant/coarse/carried_motion.hpp"
-#include "core/redundant/coarse/following.hpp"
+#include "core/redundant/head/following.hpp"
 #include "core/redundant/joint/energy.hpp"
 
 namespace bahnwerk {

@@ -28,7 +28,7 @@ std::vector<std::vector<double>> sampled(const Motion& motion, std::size_t n) {
     const MotionState state =
         i == n ? motion.final_state()
                : motion.evaluate(motion.duration() * static_cast<double>(i) / static_cast<double>(n), piece);
-    for (std::size_t k = 0; k < x.size(); ++k) x[k][i] = state.position[k];
+    for (std::size_t k = 0; k < x.size(); ++k) x[k][i] = state[0][k];
   }
   return x;
 }

@@ -38,9 +38,9 @@ RedundancyLag simulated(const PathMotion& head, const RedundancyOptions& options
     const MotionState at = head.evaluate(step * static_cast<double>(i), piece);
     double along = 0, square = 0, speed = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
-      along += error[k][i] * at.velocity[k];
+      along += error[k][i] * at[1][k];
       square += error[k][i] * error[k][i];
-      speed += at.velocity[k] * at.velocity[k];
+      speed += at[1][k] * at[1][k];
     }
     lag.following_error = std::fmax(lag.following_error, std::sqrt(square));
     if (speed > 0)

@@ -94,8 +94,8 @@ class Driver {
     both.head.a = both.head.a * w * w + both.head.v * dw;
     both.head.v *= w;
     for (std::size_t k = 0; k < old_.coarse->axes(); ++k) {
-      both.coarse.acceleration[k] = both.coarse.acceleration[k] * w * w + both.coarse.velocity[k] * dw;
-      both.coarse.velocity[k] *= w;
+      both.coarse[2][k] = both.coarse[2][k] * w * w + both.coarse[1][k] * dw;
+      both.coarse[1][k] *= w;
     }
     return both;
   }
@@ -173,7 +173,7 @@ class Driver {
     MotionState x;
     for (std::size_t k = 0; k < piece.axes.size(); ++k) {
       const Polynomial& p = piece.axes[k];
-      x.position[k] = p[0], x.velocity[k] = p.size() > 1 ? p[1] : 0, x.acceleration[k] = p.size() > 2 ? 2 * p[2] : 0;
+      x[0][k] = p[0], x[1][k] = p.size() > 1 ? p[1] : 0, x[2][k] = p.size() > 2 ? 2 * p[2] : 0;
     }
     return x;
   }

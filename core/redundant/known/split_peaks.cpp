@@ -25,11 +25,11 @@ std::vector<std::vector<RedundancyPeaks>> split_peaks(const Motion& head, const 
         const MotionState x = head.in_piece(h, at), g = coarse.in_piece(c, at);
         for (std::size_t k = 0; k < axes; ++k) {
           RedundancyPeaks& p = peaks[k];
-          p.offset = std::fmax(p.offset, std::abs(x.position[k] - g.position[k]));
-          p.coarse_velocity = std::fmax(p.coarse_velocity, std::abs(g.velocity[k]));
-          p.coarse_acceleration = std::fmax(p.coarse_acceleration, std::abs(g.acceleration[k]));
-          p.fine_velocity = std::fmax(p.fine_velocity, std::abs(x.velocity[k] - g.velocity[k]));
-          p.fine_acceleration = std::fmax(p.fine_acceleration, std::abs(x.acceleration[k] - g.acceleration[k]));
+          p.offset = std::fmax(p.offset, std::abs(x[0][k] - g[0][k]));
+          p.coarse_velocity = std::fmax(p.coarse_velocity, std::abs(g[1][k]));
+          p.coarse_acceleration = std::fmax(p.coarse_acceleration, std::abs(g[2][k]));
+          p.fine_velocity = std::fmax(p.fine_velocity, std::abs(x[1][k] - g[1][k]));
+          p.fine_acceleration = std::fmax(p.fine_acceleration, std::abs(x[2][k] - g[2][k]));
         }
       }
     t = std::fmax(t, end);

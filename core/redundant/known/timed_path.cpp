@@ -49,10 +49,10 @@ AxisJet TimedPath::at_time(std::size_t segment, double t) const {
   AxisJet q;
   const std::size_t n = coarse_.axes();
   for (std::size_t k = 0; k < n; ++k) {
-    q.value[k] = c.position[k], q.d1[k] = w * c.velocity[k], q.d2[k] = w * w * c.acceleration[k];
-    q.d3[k] = w * w * w * c.jerk[k];
-    q.value[n + k] = x.position[k] - c.position[k], q.d1[n + k] = w * (x.velocity[k] - c.velocity[k]);
-    q.d2[n + k] = w * w * (x.acceleration[k] - c.acceleration[k]), q.d3[n + k] = w * w * w * (x.jerk[k] - c.jerk[k]);
+    q.value[k] = c[0][k], q.d1[k] = w * c[1][k], q.d2[k] = w * w * c[2][k];
+    q.d3[k] = w * w * w * c[3][k];
+    q.value[n + k] = x[0][k] - c[0][k], q.d1[n + k] = w * (x[1][k] - c[1][k]);
+    q.d2[n + k] = w * w * (x[2][k] - c[2][k]), q.d3[n + k] = w * w * w * (x[3][k] - c[3][k]);
   }
   return q;
 }

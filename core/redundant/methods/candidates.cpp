@@ -13,7 +13,7 @@
 #include "core/redundant/joint/joint.hpp"
 #include "core/redundant/known/reparametrise.hpp"
 #include "core/redundant/methods/method_table.hpp"
-#include "core/redundant/reversed_task.hpp"
+#include "core/redundant/methods/reversed_task.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -18,18 +18,13 @@ namespace {
 
 constexpr std::size_t derivatives = 4;  // velocity, acceleration, jerk, snap
 
-const AxisArray& part(const MotionState& x, std::size_t derivative) {
-  const std::array<const AxisArray*, 5> parts{&x.position, &x.velocity, &x.acceleration, &x.jerk, &x.snap};
-  return *parts[derivative];
-}
-
 double limit(const AxisLimits& axis, std::size_t derivative) { return axis.of(static_cast<int>(derivative)); }
 
 /// Σ |x⁽ᵈ⁺ⁱ⁾| Tⁱ/i!: what the d-th derivative is summed up from within a piece, and hence what its rounding follows.
 double terms(const MotionState& x, std::size_t derivative, std::size_t axis, double duration) {
   double sum = 0, factor = 1;
   for (std::size_t i = 0; derivative + i <= derivatives; ++i) {
-    sum += factor * std::abs(part(x, derivative + i)[axis]);
+    sum += factor * std::abs(x[derivative + i][axis]);
     factor *= duration / static_cast<double>(i + 1);
   }
   return sum;
@@ -116,11 +111,10 @@ class Checker {
         const double t = samples.at(static_cast<int>(n));
         const MotionState x = in_.motion.in_piece(i, t);
         for (std::size_t k = 0; k < axes; ++k) {
-          for (std::size_t d = 1; d <= derivatives; ++d)
-            samples.values[((d - 1) * axes + k) * points + n] = part(x, d)[k];
+          for (std::size_t d = 1; d <= derivatives; ++d) samples.values[((d - 1) * axes + k) * points + n] = x[d][k];
           const AxisLimits& axis = in_.axes[k];
-          const double beyond = std::max({0.0, x.position[k] - axis.highest, axis.lowest - x.position[k]});
-          range_[k].raise(std::isnan(x.position[k]) ? x.position[k] : beyond, rounding * std::abs(x.position[k]), t);
+          const double beyond = std::max({0.0, x[0][k] - axis.highest, axis.lowest - x[0][k]});
+          range_[k].raise(std::isnan(x[0][k]) ? x[0][k] : beyond, rounding * std::abs(x[0][k]), t);
         }
       }
       return true;
@@ -128,7 +122,7 @@ class Checker {
   }
 
   double tolerance(const MotionState& x, std::size_t derivative, std::size_t axis, double T, double t) const {
-    const double next = derivative < derivatives ? std::abs(part(x, derivative + 1)[axis]) : 0;
+    const double next = derivative < derivatives ? std::abs(x[derivative + 1][axis]) : 0;
     return rounding * terms(x, derivative, axis, T) + next * (epsilon * t + in_.resolution);
   }
 
@@ -140,7 +134,7 @@ class Checker {
     const MotionState begin = motion.in_piece(i - 1, motion.begin(i - 1));
     for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
       for (std::size_t k = 0; k < in_.axes.size(); ++k)
-        gaps_[d].raise(std::abs(part(right, d)[k] - part(left, d)[k]),
+        gaps_[d].raise(std::abs(right[d][k] - left[d][k]),
                        std::max(rounded(i - 1, left, d, k, before, t), rounded(i - 1, begin, d, k, before, t)) +
                            rounded(i, right, d, k, after, t) + (in_.step ? in_.step(k, d, t) : 0),
                        t);
@@ -158,7 +152,7 @@ class Checker {
   void rest(Strained& check, const MotionState& x, double T, double t) const {
     for (std::size_t d = 1; d <= static_cast<std::size_t>(std::max(in_.continuous, 1)); ++d)
       for (std::size_t k = 0; k < in_.axes.size(); ++k)
-        check.raise(std::abs(part(x, d)[k]), tolerance_at_rest(x, d, k, T, t), t);
+        check.raise(std::abs(x[d][k]), tolerance_at_rest(x, d, k, T, t), t);
   }
   /// A state at rest has nothing of its own to round but what the piece came from.
   double tolerance_at_rest(const MotionState& x, std::size_t d, std::size_t k, double T, double t) const {

@@ -115,9 +115,7 @@ class ProbeChecker {
 
  private:
   static double error(Vec difference) { return norm(difference); }
-  Vec position(const MotionState& x) const {
-    return {x.position[0], x.position[1], in_.problem.dimension() > 2 ? x.position[2] : 0.0};
-  }
+  Vec position(const MotionState& x) const { return {x[0][0], x[0][1], in_.problem.dimension() > 2 ? x[0][2] : 0.0}; }
 
   void pieces(ProgressScope& scope) {
     const Motion& motion = in_.motion;

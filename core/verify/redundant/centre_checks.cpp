@@ -18,7 +18,7 @@ std::vector<Check> centre_checks(const Motion& head, const Motion& coarse, const
       const AxisLimits& axis = fine_axes[k];
       list.push_back(verify::make_check(
           {end ? CheckedQuantity::centred_end : CheckedQuantity::centred_start, 0, axis.unit, axis.name}, middle,
-          verify::Worst{std::abs(x.position[k] - c.position[k]), end ? head.duration() : 0}));
+          verify::Worst{std::abs(x[0][k] - c[0][k]), end ? head.duration() : 0}));
     }
   }
   return list;

@@ -56,11 +56,6 @@ double head(const AxisJet& q, const LawState& x, std::size_t k, std::size_t d) {
   return q.d3[k] * v * v * v + 3 * q.d2[k] * v * x.a + q.d1[k] * x.j;
 }
 
-double part(const MotionState& x, std::size_t k, std::size_t d) {
-  const std::array<const AxisArray*, 4> parts{&x.position, &x.velocity, &x.acceleration, &x.jerk};
-  return (*parts[d])[k];
-}
-
 class FineSweep {
  public:
   FineSweep(const CoarseFineToVerify& in, ProgressScope& scope)
@@ -175,7 +170,7 @@ class FineSweep {
         for (std::size_t n = 0; n < channels_.size(); ++n) {
           const Channel& channel = channels_[n];
           samples.values[n * points + i] =
-              head(q, x, channel.axis, channel.derivative) - part(coarse, channel.axis, channel.derivative);
+              head(q, x, channel.axis, channel.derivative) - coarse[channel.derivative][channel.axis];
         }
       }
       return true;

@@ -16,12 +16,7 @@ using verify::epsilon;
 using verify::rounding;
 using verify::Strained;
 
-constexpr std::size_t all_orders = 5, needed_orders = 3;  // position, velocity, acceleration; then jerk and snap
-
-const AxisArray& part(const MotionState& x, std::size_t order) {
-  const std::array<const AxisArray*, all_orders> parts{&x.position, &x.velocity, &x.acceleration, &x.jerk, &x.snap};
-  return *parts[order];
-}
+constexpr std::size_t needed_orders = 3;  // position, velocity and acceleration
 
 class MotionRows final : public RowCheck {
  public:
@@ -63,7 +58,7 @@ class MotionRows final : public RowCheck {
   void find_columns() {
     const auto& columns = in_.setpoints.columns();
     if (in_.machine.axes.size() != axes_) return;
-    for (; orders_ < all_orders; ++orders_)
+    for (; orders_ < MotionState::orders; ++orders_)
       for (std::size_t k = 0; k < axes_; ++k) {
         const std::string name = std::array{"", "v", "a", "j", "s"}[orders_] + in_.machine.axes[k].name;
         columns_[orders_][k] = column_index(columns, name);
@@ -73,8 +68,8 @@ class MotionRows final : public RowCheck {
 
   /// Returns the sum of the magnitudes of a derivative's terms within a piece of that duration, up to the jerk.
   static double terms(const MotionState& state, std::size_t order, std::size_t axis, double piece) {
-    const double x = std::abs(state.position[axis]), v = std::abs(state.velocity[axis]),
-                 a = std::abs(state.acceleration[axis]), j = std::abs(state.jerk[axis]);
+    const double x = std::abs(state[0][axis]), v = std::abs(state[1][axis]), a = std::abs(state[2][axis]),
+                 j = std::abs(state[3][axis]);
     switch (order) {
       case 0:
         return x + piece * (v + piece * (a / 2 + piece * j / 6));
@@ -83,7 +78,7 @@ class MotionRows final : public RowCheck {
       case 2:
         return a + piece * j;
       default:
-        return std::abs(part(state, order)[axis]);
+        return std::abs(state[order][axis]);
     }
   }
 
@@ -91,23 +86,22 @@ class MotionRows final : public RowCheck {
     const double rounding_error = epsilon * t;
     for (std::size_t order = 0; order < orders_; ++order)
       for (std::size_t k = 0; k < axes_; ++k) {
-        const double next = order + 1 < all_orders ? std::abs(part(state, order + 1)[k]) : 0;
-        off_[order].raise(std::abs(row[columns_[order][k]] - part(state, order)[k]),
+        const double next = order + 1 < MotionState::orders ? std::abs(state[order + 1][k]) : 0;
+        off_[order].raise(std::abs(row[columns_[order][k]] - state[order][k]),
                           rounding * terms(state, order, k, piece) + next * rounding_error, t);
       }
   }
 
   void check_end(const double* row, const MotionState& state, double t) {
     for (std::size_t order = 0; order < orders_; ++order)
-      for (std::size_t k = 0; k < axes_; ++k)
-        end_.raise(std::abs(row[columns_[order][k]] - part(state, order)[k]), 0, t);
+      for (std::size_t k = 0; k < axes_; ++k) end_.raise(std::abs(row[columns_[order][k]] - state[order][k]), 0, t);
   }
 
   MotionSetpointInput in_;
   std::size_t axes_, orders_ = 0, piece_ = 0;
-  std::array<std::array<std::size_t, max_axes>, all_orders> columns_{};
+  std::array<std::array<std::size_t, max_axes>, MotionState::orders> columns_{};
   Strained count_, time_, end_;
-  std::array<Strained, all_orders> off_;
+  std::array<Strained, MotionState::orders> off_;
 };
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST(ParseJson, AsksProgress) {
     }
     int reports = 0;
   } counter;
-  EXPECT_THROW(parse_json(repeated("1", 100'000), &counter), std::runtime_error);
+  EXPECT_THROW(parse_json(repeated("1", 100'000), counter), std::runtime_error);
   EXPECT_EQ(counter.reports, 3);
 }
 

@@ -50,12 +50,12 @@ TEST(CamLaw, AsAMotionItBeginsWhereTheMasterDoes) {
   EXPECT_EQ(motion->duration(), 2);
   EXPECT_EQ(motion->pieces(), 3u);
   for (const double t : {0.0, 0.3, 0.75, 1.2, 1.9}) {
-    EXPECT_NEAR(motion->evaluate(t).position[0], up_and_down().evaluate(t + 0.25, 0), 1e-14) << t;
-    EXPECT_NEAR(motion->evaluate(t).jerk[0], up_and_down().evaluate(t + 0.25, 3), 1e-12) << t;
+    EXPECT_NEAR(motion->evaluate(t)[0][0], up_and_down().evaluate(t + 0.25, 0), 1e-14) << t;
+    EXPECT_NEAR(motion->evaluate(t)[3][0], up_and_down().evaluate(t + 0.25, 3), 1e-12) << t;
   }
   Polynomial p;
   ASSERT_TRUE(motion->polynomial(1, 0, p));
-  EXPECT_NEAR(evaluate(p, 0.5), motion->in_piece(1, motion->begin(1) + 0.5).position[0], 1e-14);
+  EXPECT_NEAR(evaluate(p, 0.5), motion->in_piece(1, motion->begin(1) + 0.5)[0][0], 1e-14);
 }
 
 TEST(CamLaw, ObjectiveIsTheWeightedSumOfPeaks) {

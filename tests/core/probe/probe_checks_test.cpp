@@ -47,8 +47,8 @@ TEST_F(ProbeChecks, TheTubeIsHeldBetweenSamples) {
     const double t = plan_.duration() * k / 20000;
     const MotionState x = plan_.motion->evaluate(t);
     const std::size_t edge = t < plan_.times[1] ? 0 : 1;
-    sampled = std::max(
-        sampled, distance_from_edge({x.position[0], x.position[1]}, problem_.points[edge], problem_.points[edge + 1]));
+    sampled =
+        std::max(sampled, distance_from_edge({x[0][0], x[0][1]}, problem_.points[edge], problem_.points[edge + 1]));
   }
   EXPECT_GE(deviation, sampled);
   EXPECT_LE(deviation, sampled * (1 + 1e-4));

@@ -25,11 +25,11 @@ TEST(ProbeMotion, SlowedKeepsThePathAndDividesDerivatives) {
   for (const double t : {0.0, 0.3, 0.49, 0.5, 1.1, 2.0}) {
     const MotionState a = m.motion->evaluate(t), b = s.motion->evaluate(2 * t);
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_DOUBLE_EQ(b.position[k], a.position[k]);
-      EXPECT_DOUBLE_EQ(b.velocity[k], a.velocity[k] / 2);
-      EXPECT_DOUBLE_EQ(b.acceleration[k], a.acceleration[k] / 4);
-      EXPECT_DOUBLE_EQ(b.jerk[k], a.jerk[k] / 8);
-      EXPECT_DOUBLE_EQ(b.snap[k], a.snap[k] / 16);
+      EXPECT_DOUBLE_EQ(b[0][k], a[0][k]);
+      EXPECT_DOUBLE_EQ(b[1][k], a[1][k] / 2);
+      EXPECT_DOUBLE_EQ(b[2][k], a[2][k] / 4);
+      EXPECT_DOUBLE_EQ(b[3][k], a[3][k] / 8);
+      EXPECT_DOUBLE_EQ(b[4][k], a[4][k] / 16);
     }
   }
 }
@@ -45,7 +45,7 @@ TEST(ProbeMotion, AnAxisThatStandsStillEndsExactlyAtRest) {
   m.motion =
       std::make_shared<const SplineMotion>(std::vector<SplineMotion::Piece>{{1, {{3, 1e-310, 2e-320, -1e-315}}}});
   m.times = {0, 1};
-  EXPECT_EQ(slowed(m, 1.1).motion->evaluate(1.1).velocity[0], 0);
+  EXPECT_EQ(slowed(m, 1.1).motion->evaluate(1.1)[1][0], 0);
 }
 
 TEST(ProbeMotion, WhatDecaysWithinACarriedRowIsCarriedToTheEnd) {
@@ -57,7 +57,7 @@ TEST(ProbeMotion, WhatDecaysWithinACarriedRowIsCarriedToTheEnd) {
   const ProbeMotion s = slowed(m, 1.1);
   for (std::size_t i = 1; i < 3; ++i) {
     const double t = s.motion->begin(i);
-    EXPECT_EQ(s.motion->in_piece(i, t).velocity[0], s.motion->in_piece(i - 1, t).velocity[0]) << i;
+    EXPECT_EQ(s.motion->in_piece(i, t)[1][0], s.motion->in_piece(i - 1, t)[1][0]) << i;
   }
 }
 
@@ -65,7 +65,7 @@ TEST(ProbeMotion, StatesAreThoseOfSplineMotionToTheLastBit) {
   const Polynomial p{0.1, 0.7, -0.3, 1.7, 0.9, -2.3, 0.11, 5};
   const double t = 0.37;
   const MotionState x = SplineMotion({{1, {p}}}).in_piece(0, t);
-  EXPECT_EQ(state_at(p, t), (std::array{x.position[0], x.velocity[0], x.acceleration[0], x.jerk[0]}));
+  EXPECT_EQ(state_at(p, t), (std::array{x[0][0], x[1][0], x[2][0], x[3][0]}));
 }
 
 /// Late in a long motion times are rounded coarsely, and each piece is 0.01 s long.
@@ -95,11 +95,11 @@ TEST(ProbeMotion, SlowedPiecesThatAreCarriedMeetExactlyAndDoNotDriftAway) {
   for (std::size_t i = 2; i < pieces; ++i) {
     const MotionState left = s.motion->in_piece(i - 1, s.motion->begin(i)),
                       right = s.motion->in_piece(i, s.motion->begin(i));
-    ASSERT_EQ(left.velocity[0], right.velocity[0]) << i;
+    ASSERT_EQ(left[1][0], right[1][0]) << i;
     // Acceleration and jerk lose a bit where they are halved and divided by 6.
-    ASSERT_NEAR(left.acceleration[0], right.acceleration[0], 4e-16 * std::abs(left.acceleration[0])) << i;
-    ASSERT_NEAR(left.jerk[0], right.jerk[0], 4e-16 * std::abs(left.jerk[0])) << i;
-    ASSERT_NEAR(std::abs(right.velocity[0]), std::abs(v) / 1.0001, 1e-9 * std::abs(v)) << i;
+    ASSERT_NEAR(left[2][0], right[2][0], 4e-16 * std::abs(left[2][0])) << i;
+    ASSERT_NEAR(left[3][0], right[3][0], 4e-16 * std::abs(left[3][0])) << i;
+    ASSERT_NEAR(std::abs(right[1][0]), std::abs(v) / 1.0001, 1e-9 * std::abs(v)) << i;
   }
 }
 
@@ -125,9 +125,9 @@ TEST(ProbeMotion, StraightsBeginWhereThePieceBeforeThemSettles) {
     const ProbeMotion s = slowed(m, factor);
     for (const std::size_t i : {3u, 4u}) {
       const double t = s.motion->begin(i);
-      EXPECT_NEAR(s.motion->in_piece(i, t).position[0], s.motion->in_piece(i - 1, t).position[0], i == 3 ? 0 : 1e-13);
+      EXPECT_NEAR(s.motion->in_piece(i, t)[0][0], s.motion->in_piece(i - 1, t)[0][0], i == 3 ? 0 : 1e-13);
     }
-    largest = std::max(largest, std::abs(s.motion->in_piece(3, s.motion->begin(3)).position[0] - 1));
+    largest = std::max(largest, std::abs(s.motion->in_piece(3, s.motion->begin(3))[0][0] - 1));
   }
   EXPECT_GT(largest, 1e-14);  // it did move
   EXPECT_LT(largest, 1e-11);

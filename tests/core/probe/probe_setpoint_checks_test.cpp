@@ -25,11 +25,9 @@ class Table final : public SetpointSource {
       const double t = static_cast<double>(k) * problem.machine.cycle_time;
       const MotionState x = k == cycles ? motion.final_state() : motion.evaluate(t);
       const std::size_t edge = t < plan.times[1] ? 0 : 1;
-      rows_.push_back(
-          {x.position[0], x.position[1], x.velocity[0], x.velocity[1], x.acceleration[0], x.acceleration[1], x.jerk[0],
-           x.jerk[1],
-           distance_from_edge({x.position[0], x.position[1]}, problem.points[edge], problem.points[edge + 1]),
-           std::hypot(x.velocity[0], x.velocity[1])});
+      rows_.push_back({x[0][0], x[0][1], x[1][0], x[1][1], x[2][0], x[2][1], x[3][0], x[3][1],
+                       distance_from_edge({x[0][0], x[0][1]}, problem.points[edge], problem.points[edge + 1]),
+                       std::hypot(x[1][0], x[1][1])});
     }
   }
   const std::vector<Column>& columns() const override { return columns_; }

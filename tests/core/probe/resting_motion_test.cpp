@@ -13,16 +13,16 @@ TEST(RestingMotion, EndsAtRestWhereItIsTold) {
   EXPECT_EQ(motion.duration(), 1);
   for (const double t : {0.0, 0.3, 0.7})
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_EQ(motion.evaluate(t).position[k], spline->evaluate(t).position[k]);
-      EXPECT_EQ(motion.evaluate(t).velocity[k], spline->evaluate(t).velocity[k]);
+      EXPECT_EQ(motion.evaluate(t)[0][k], spline->evaluate(t)[0][k]);
+      EXPECT_EQ(motion.evaluate(t)[1][k], spline->evaluate(t)[1][k]);
     }
   const MotionState end = motion.final_state();
-  EXPECT_EQ(end.position[0], 0.75);
-  EXPECT_EQ(end.position[1], 0.8);
+  EXPECT_EQ(end[0][0], 0.75);
+  EXPECT_EQ(end[0][1], 0.8);
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_EQ(end.velocity[k], 0);
-    EXPECT_EQ(end.acceleration[k], 0);
-    EXPECT_EQ(end.jerk[k], 0);
+    EXPECT_EQ(end[1][k], 0);
+    EXPECT_EQ(end[2][k], 0);
+    EXPECT_EQ(end[3][k], 0);
   }
 }
 

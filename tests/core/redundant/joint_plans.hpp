@@ -51,11 +51,11 @@ inline void expect_valid(const JointTask& task, const JointResult& r, int sample
         const double t = s.at(static_cast<int>(i));
         const MotionState c = r.coarse->in_piece(coarse_piece, t), f = fine->in_piece(piece, t);
         for (std::size_t k = 0; k < axes; ++k) {
-          const double values[] = {c.velocity[k], c.acceleration[k], f.position[k], f.velocity[k], f.acceleration[k]};
+          const double values[] = {c[1][k], c[2][k], f[0][k], f[1][k], f[2][k]};
           for (std::size_t q = 0; q < 5; ++q) s.values[(5 * k + q) * n + i] = values[q];
           if (jerk) {
-            s.values[(5 * axes + 2 * k) * n + i] = c.jerk[k];
-            s.values[(5 * axes + 2 * k + 1) * n + i] = f.jerk[k];
+            s.values[(5 * axes + 2 * k) * n + i] = c[3][k];
+            s.values[(5 * axes + 2 * k + 1) * n + i] = f[3][k];
           }
         }
       }
@@ -67,18 +67,18 @@ inline void expect_valid(const JointTask& task, const JointResult& r, int sample
   for (std::size_t k = 0; k < axes; ++k) {
     const double scale = task.machine.axes[k].coarse.velocity;
     for (const MotionState& x : {r.coarse->in_piece(0, 0), r.coarse->final_state(), fine->in_piece(0, 0)}) {
-      EXPECT_NEAR(x.velocity[k], 0, 1e-9 * scale);
+      EXPECT_NEAR(x[1][k], 0, 1e-9 * scale);
       if (jerk) {
-        EXPECT_NEAR(x.acceleration[k], 0, 1e-7 * task.machine.axes[k].coarse.acceleration);
+        EXPECT_NEAR(x[2][k], 0, 1e-7 * task.machine.axes[k].coarse.acceleration);
       }
     }
     for (std::size_t i = 1; i < r.coarse->pieces(); ++i) {
       const double t = r.coarse->begin(i);
       const MotionState a = r.coarse->in_piece(i - 1, t), b = r.coarse->in_piece(i, t);
-      ASSERT_NEAR(a.position[k], b.position[k], 1e-9);
-      ASSERT_NEAR(a.velocity[k], b.velocity[k], 1e-9 * scale);
+      ASSERT_NEAR(a[0][k], b[0][k], 1e-9);
+      ASSERT_NEAR(a[1][k], b[1][k], 1e-9 * scale);
       if (jerk) {
-        ASSERT_NEAR(a.acceleration[k], b.acceleration[k], 1e-6 * task.machine.axes[k].coarse.acceleration);
+        ASSERT_NEAR(a[2][k], b[2][k], 1e-6 * task.machine.axes[k].coarse.acceleration);
       }
     }
   }
@@ -86,7 +86,7 @@ inline void expect_valid(const JointTask& task, const JointResult& r, int sample
   for (int i = 0; i <= samples; ++i) {
     const double t = T * i / samples;
     const MotionState x = r.head->evaluate(t, h), xc = r.coarse->evaluate(t, c), xf = fine->evaluate(t, f);
-    for (std::size_t k = 0; k < axes; ++k) ASSERT_NEAR(xc.position[k] + xf.position[k], x.position[k], 1e-12);
+    for (std::size_t k = 0; k < axes; ++k) ASSERT_NEAR(xc[0][k] + xf[0][k], x[0][k], 1e-12);
   }
 }
 
@@ -100,7 +100,7 @@ inline double energy(const Motion& coarse) {
     if (!(half > 0)) continue;
     for (std::size_t q = 0; q < 4; ++q) {
       const MotionState x = coarse.in_piece(i, middle + half * node[q]);
-      for (std::size_t k = 0; k < coarse.axes(); ++k) sum += half * weight[q] * x.acceleration[k] * x.acceleration[k];
+      for (std::size_t k = 0; k < coarse.axes(); ++k) sum += half * weight[q] * x[2][k] * x[2][k];
     }
   }
   return sum;

@@ -23,15 +23,15 @@ TEST(ReversedMotion, IsWhereTheOtherWasAsLongBeforeItsEnd) {
       const double t = back.begin(i) + at * (back.end(i) - back.begin(i));
       const MotionState x = back.in_piece(i, t), y = motion->in_piece(2 - i, 1.5 - t);
       for (std::size_t k = 0; k < 2; ++k) {
-        EXPECT_NEAR(x.position[k], y.position[k], 1e-14);
-        EXPECT_NEAR(x.velocity[k], -y.velocity[k], 1e-14);
-        EXPECT_NEAR(x.acceleration[k], y.acceleration[k], 1e-13);
-        EXPECT_NEAR(x.jerk[k], -y.jerk[k], 1e-12);
+        EXPECT_NEAR(x[0][k], y[0][k], 1e-14);
+        EXPECT_NEAR(x[1][k], -y[1][k], 1e-14);
+        EXPECT_NEAR(x[2][k], y[2][k], 1e-13);
+        EXPECT_NEAR(x[3][k], -y[3][k], 1e-12);
         Polynomial p;
         ASSERT_TRUE(back.polynomial(i, k, p));
         const double tau = t - back.begin(i);
-        EXPECT_NEAR(evaluate(p, tau), y.position[k], 1e-13);
-        EXPECT_NEAR(evaluate(derivative(p), tau), -y.velocity[k], 1e-12);
+        EXPECT_NEAR(evaluate(p, tau), y[0][k], 1e-13);
+        EXPECT_NEAR(evaluate(derivative(p), tau), -y[1][k], 1e-12);
       }
     }
 }

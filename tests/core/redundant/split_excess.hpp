@@ -43,13 +43,13 @@ inline SplitExcess split_excess(const RedundancyTask& task, const RedundancyResu
         const double t = s.at(static_cast<int>(i));
         const MotionState x = r.head->in_piece(h, t), xc = r.coarse->in_piece(c, t);
         for (std::size_t k = 0; k < axes; ++k) {
-          const double values[kinds] = {xc.velocity[k],
-                                        xc.acceleration[k],
-                                        x.position[k] - xc.position[k],
-                                        x.velocity[k] - xc.velocity[k],
-                                        x.acceleration[k] - xc.acceleration[k],
-                                        jerk ? xc.jerk[k] : 0,
-                                        jerk ? x.jerk[k] - xc.jerk[k] : 0};
+          const double values[kinds] = {xc[1][k],
+                                        xc[2][k],
+                                        x[0][k] - xc[0][k],
+                                        x[1][k] - xc[1][k],
+                                        x[2][k] - xc[2][k],
+                                        jerk ? xc[3][k] : 0,
+                                        jerk ? x[3][k] - xc[3][k] : 0};
           for (std::size_t q = 0; q < kinds; ++q) s.values[(kinds * k + q) * n + i] = values[q];
         }
       }
@@ -59,8 +59,7 @@ inline SplitExcess split_excess(const RedundancyTask& task, const RedundancyResu
   for (std::size_t i = 0; i < limits.size(); ++i) e.limits = std::max(e.limits, sweep[i].value / limits[i] - 1);
   for (std::size_t k = 0; k < axes; ++k) {
     const double unit = std::sqrt(task.machine.axes[k].stroke / task.machine.axes[k].coarse.acceleration);
-    e.rest = std::max(
-        {e.rest, std::abs(r.coarse->in_piece(0, 0).velocity[k]), std::abs(r.coarse->final_state().velocity[k])});
+    e.rest = std::max({e.rest, std::abs(r.coarse->in_piece(0, 0)[1][k]), std::abs(r.coarse->final_state()[1][k])});
     const Limits& coarse = task.machine.axes[k].coarse;
     const bool still = sweep[kinds * k + 2].value <= 1e-8;
     const double step = still ? task.machine.cycle_time * coarse.acceleration : 0,
@@ -68,9 +67,8 @@ inline SplitExcess split_excess(const RedundancyTask& task, const RedundancyResu
     for (std::size_t i = 1; i < r.coarse->pieces(); ++i) {
       const double t = r.coarse->begin(i);
       const MotionState a = r.coarse->in_piece(i - 1, t), b = r.coarse->in_piece(i, t);
-      e.jump = std::max(
-          {e.jump, std::abs(a.position[k] - b.position[k]), unit * (std::abs(a.velocity[k] - b.velocity[k]) - step),
-           jerk ? unit * unit * (std::abs(a.acceleration[k] - b.acceleration[k]) - acceleration_step) : 0.0});
+      e.jump = std::max({e.jump, std::abs(a[0][k] - b[0][k]), unit * (std::abs(a[1][k] - b[1][k]) - step),
+                         jerk ? unit * unit * (std::abs(a[2][k] - b[2][k]) - acceleration_step) : 0.0});
     }
   }
   return e;

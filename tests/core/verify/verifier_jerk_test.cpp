@@ -84,9 +84,9 @@ void agrees(const Contour& contour, const TimeLaw& law) {
       EXPECT_GE(verified, sampled * (1 - 1e-9)) << name << axis;
       EXPECT_LE(verified, sampled * (1 + 1e-4) + 1e-6) << name << axis;
     };
-    expect("velocity", dense(contour, law, [&](const MotionState& s) { return s.velocity[k]; }));
-    expect("acceleration", dense(contour, law, [&](const MotionState& s) { return s.acceleration[k]; }));
-    expect("jerk", dense(contour, law, [&](const MotionState& s) { return s.jerk[k]; }));
+    expect("velocity", dense(contour, law, [&](const MotionState& s) { return s[1][k]; }));
+    expect("acceleration", dense(contour, law, [&](const MotionState& s) { return s[2][k]; }));
+    expect("jerk", dense(contour, law, [&](const MotionState& s) { return s[3][k]; }));
   }
 }
 

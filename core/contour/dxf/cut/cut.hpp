@@ -6,8 +6,8 @@
 #include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
-#include "core/contour/dxf/drawn.hpp"
 #include "core/contour/dxf/read/drawing.hpp"
+#include "core/contour/dxf/read/drawn.hpp"
 
 namespace bahnwerk {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/progress.hpp"
-#include "core/contour/dxf/drawn.hpp"
+#include "core/contour/dxf/read/drawn.hpp"
 
 namespace bahnwerk {
 

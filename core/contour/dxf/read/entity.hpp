@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/contour/dxf/drawn.hpp"
+#include "core/contour/dxf/read/drawn.hpp"
 #include "core/contour/dxf/read/tags.hpp"
 
 namespace bahnwerk {

@@ -19,8 +19,8 @@ class Swing final : public Motion {
   MotionState in_piece(std::size_t piece, double t) const override {
     const double w = piece == 0 ? first_ : 3;
     MotionState x;
-    x.position[0] = std::sin(w * (t - 1)), x.velocity[0] = w * std::cos(w * (t - 1));
-    x.acceleration[0] = -w * w * std::sin(w * (t - 1));
+    x[0][0] = std::sin(w * (t - 1)), x[1][0] = w * std::cos(w * (t - 1));
+    x[2][0] = -w * w * std::sin(w * (t - 1));
     return x;
   }
 
@@ -36,7 +36,7 @@ TEST(HermiteMotion, IsOfSixthOrder) {
     double worst = 0;
     for (int i = 0; i <= 1000; ++i) {
       const double t = 2 * i / 1000.0;
-      worst = std::fmax(worst, std::abs(spline.evaluate(t).position[0] - swing.evaluate(t).position[0]));
+      worst = std::fmax(worst, std::abs(spline.evaluate(t)[0][0] - swing.evaluate(t)[0][0]));
     }
     const double allowed = std::pow(3, 6) * std::pow(longest, 6) / 46080;  // max|x⁽⁶⁾| = 3⁶
     EXPECT_LE(worst, allowed * 1.001 + 1e-15);
@@ -49,8 +49,8 @@ TEST(HermiteMotion, ReproducesQuintics) {
   const SplineMotion again = hermite_motion(quintic, 0, 1, 0.4);
   EXPECT_EQ(again.pieces(), 4u);
   for (const double t : {0.1, 0.7, 1.3}) {
-    EXPECT_NEAR(again.evaluate(t).position[0], quintic.evaluate(t).position[0], 1e-13);
-    EXPECT_NEAR(again.evaluate(t).jerk[0], quintic.evaluate(t).jerk[0], 1e-9);
+    EXPECT_NEAR(again.evaluate(t)[0][0], quintic.evaluate(t)[0][0], 1e-13);
+    EXPECT_NEAR(again.evaluate(t)[3][0], quintic.evaluate(t)[3][0], 1e-9);
   }
 }
 
@@ -59,8 +59,8 @@ TEST(HermiteMotion, ShortPiecesKeepTheAcceleration) {
   const SplineMotion pieces({{0.5, {{100, 200, -3000}}}, {0.5 + 1e-8, {{100 + 100 - 750, 200 - 3000, 4000}}}});
   const SplineMotion again = hermite_motion(pieces, 0, 1, 1);
   ASSERT_EQ(again.pieces(), 2u);
-  EXPECT_NEAR(again.in_piece(1, 0.5 + 5e-9).acceleration[0], 8000, 1e-9);
-  EXPECT_NEAR(again.in_piece(0, 0.25).acceleration[0], -6000, 1e-8);
+  EXPECT_NEAR(again.in_piece(1, 0.5 + 5e-9)[2][0], 8000, 1e-9);
+  EXPECT_NEAR(again.in_piece(0, 0.25)[2][0], -6000, 1e-8);
 }
 
 TEST(HermiteMotion, IsContinuousWhereTheMotionsVelocityJumps) {
@@ -68,10 +68,10 @@ TEST(HermiteMotion, IsContinuousWhereTheMotionsVelocityJumps) {
   ASSERT_EQ(spline.pieces(), 4u);
   for (std::size_t i = 1; i < 4; ++i) {
     const double t = spline.begin(i);
-    EXPECT_NEAR(spline.in_piece(i - 1, t).position[0], spline.in_piece(i, t).position[0], 4e-15);
-    EXPECT_NEAR(spline.in_piece(i - 1, t).velocity[0], spline.in_piece(i, t).velocity[0], 1e-14);
+    EXPECT_NEAR(spline.in_piece(i - 1, t)[0][0], spline.in_piece(i, t)[0][0], 4e-15);
+    EXPECT_NEAR(spline.in_piece(i - 1, t)[1][0], spline.in_piece(i, t)[1][0], 1e-14);
   }
-  EXPECT_NEAR(spline.in_piece(3, 1.5).velocity[0], 3 * std::cos(1.5), 1e-13);  // a piece later it is that of the motion
+  EXPECT_NEAR(spline.in_piece(3, 1.5)[1][0], 3 * std::cos(1.5), 1e-13);  // a piece later it is that of the motion
 }
 
 }  // namespace

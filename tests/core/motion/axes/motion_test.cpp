@@ -29,9 +29,9 @@ class Ramps final : public Motion {
   MotionState in_piece(std::size_t piece, double t) const override {
     const double d = t - begin(piece), a = acceleration_[piece];
     MotionState s;
-    s.position[0] = start_[piece].x + d * (start_[piece].v + a * d / 2);
-    s.velocity[0] = start_[piece].v + a * d;
-    s.acceleration[0] = a;
+    s[0][0] = start_[piece].x + d * (start_[piece].v + a * d / 2);
+    s[1][0] = start_[piece].v + a * d;
+    s[2][0] = a;
     return s;
   }
 
@@ -48,13 +48,13 @@ TEST(Motion, EvaluatesTheRightLimitWhereverItComesFrom) {
   const Ramps motion({1, 2, 4}, {2, -2, 0.5});
   for (const std::size_t hint : {0u, 1u, 2u, 9u}) {
     std::size_t piece = hint;
-    EXPECT_EQ(motion.evaluate(1, piece).acceleration[0], -2);
+    EXPECT_EQ(motion.evaluate(1, piece)[2][0], -2);
     EXPECT_EQ(piece, 1u);
     piece = hint;
-    EXPECT_EQ(motion.evaluate(4, piece).velocity[0], 1);
+    EXPECT_EQ(motion.evaluate(4, piece)[1][0], 1);
     EXPECT_EQ(piece, 2u);
     piece = hint;
-    EXPECT_EQ(motion.evaluate(0.5, piece).position[0], 0.25);
+    EXPECT_EQ(motion.evaluate(0.5, piece)[0][0], 0.25);
     EXPECT_EQ(piece, 0u);
   }
 }
@@ -69,9 +69,9 @@ TEST(Motion, SumsHaveThePiecesOfBoth) {
   EXPECT_EQ(sum.begin(3), 2);
   for (const double t : {0.0, 0.3, 0.5, 0.99, 1.0, 1.7, 2.0, 3.1, 4.0}) {
     const MotionState a = coarse->evaluate(t), b = fine->evaluate(t), both = sum.evaluate(t);
-    EXPECT_DOUBLE_EQ(both.position[0], a.position[0] + b.position[0]) << t;
-    EXPECT_DOUBLE_EQ(both.velocity[0], a.velocity[0] + b.velocity[0]) << t;
-    EXPECT_DOUBLE_EQ(both.acceleration[0], a.acceleration[0] + b.acceleration[0]) << t;
+    EXPECT_DOUBLE_EQ(both[0][0], a[0][0] + b[0][0]) << t;
+    EXPECT_DOUBLE_EQ(both[1][0], a[1][0] + b[1][0]) << t;
+    EXPECT_DOUBLE_EQ(both[2][0], a[2][0] + b[2][0]) << t;
   }
   EXPECT_THROW(SumOfMotions(coarse, std::make_shared<Ramps>(std::vector<double>{1.0}, std::vector<double>{1.0})),
                std::invalid_argument);

@@ -13,11 +13,11 @@ TEST(SplineMotion, DerivativesOfAMonomialOfDegree21) {
   p[21] = 1;
   const SplineMotion motion({{1, {p}}});
   const MotionState end = motion.final_state();
-  EXPECT_DOUBLE_EQ(end.position[0], 1);
-  EXPECT_DOUBLE_EQ(end.velocity[0], 21);
-  EXPECT_DOUBLE_EQ(end.acceleration[0], 21 * 20);
-  EXPECT_DOUBLE_EQ(end.jerk[0], 21 * 20 * 19);
-  EXPECT_DOUBLE_EQ(end.snap[0], 21 * 20 * 19 * 18);
+  EXPECT_DOUBLE_EQ(end[0][0], 1);
+  EXPECT_DOUBLE_EQ(end[1][0], 21);
+  EXPECT_DOUBLE_EQ(end[2][0], 21 * 20);
+  EXPECT_DOUBLE_EQ(end[3][0], 21 * 20 * 19);
+  EXPECT_DOUBLE_EQ(end[4][0], 21 * 20 * 19 * 18);
 }
 
 TEST(SplineMotion, SlowedItIsAtTheSamePlacesLater) {
@@ -26,9 +26,9 @@ TEST(SplineMotion, SlowedItIsAtTheSamePlacesLater) {
   EXPECT_EQ(slow.duration(), 6);
   for (const double t : {0.25, 0.5, 1.5, 2.75}) {
     const MotionState x = given.evaluate(t), y = slow.evaluate(2 * t);
-    EXPECT_DOUBLE_EQ(y.position[0], x.position[0]);
-    EXPECT_DOUBLE_EQ(y.velocity[0], x.velocity[0] / 2);
-    EXPECT_DOUBLE_EQ(y.snap[0], x.snap[0] / 16);
+    EXPECT_DOUBLE_EQ(y[0][0], x[0][0]);
+    EXPECT_DOUBLE_EQ(y[1][0], x[1][0] / 2);
+    EXPECT_DOUBLE_EQ(y[4][0], x[4][0] / 16);
   }
 }
 

@@ -29,15 +29,15 @@ TEST(PathMotion, OnACircleTheAccelerationHasATangentialAndACentripetalPart) {
     const double s = t <= 1 ? length * t * t / 2 : length - length * (2 - t) * (2 - t) / 2, angle = s / radius;
     const std::size_t piece = t < 1 ? 0 : 1;
     const MotionState x = motion->in_piece(piece, t);
-    EXPECT_NEAR(x.position[0], radius * std::cos(angle), 1e-9);
-    EXPECT_NEAR(x.velocity[1], v * std::cos(angle), 1e-9);
-    EXPECT_NEAR(x.acceleration[0], -a * std::sin(angle) - v * v / radius * std::cos(angle), 1e-8);
-    EXPECT_NEAR(x.acceleration[1], a * std::cos(angle) - v * v / radius * std::sin(angle), 1e-8);
+    EXPECT_NEAR(x[0][0], radius * std::cos(angle), 1e-9);
+    EXPECT_NEAR(x[1][1], v * std::cos(angle), 1e-9);
+    EXPECT_NEAR(x[2][0], -a * std::sin(angle) - v * v / radius * std::cos(angle), 1e-8);
+    EXPECT_NEAR(x[2][1], a * std::cos(angle) - v * v / radius * std::sin(angle), 1e-8);
     double written[6];
     motion->write_driven(piece, motion->along(piece, t), written);
-    EXPECT_NEAR(written[0], x.position[0], 1e-12);
-    EXPECT_NEAR(written[3], x.velocity[1], 1e-12);
-    EXPECT_NEAR(written[5], x.acceleration[1], 1e-12);
+    EXPECT_NEAR(written[0], x[0][0], 1e-12);
+    EXPECT_NEAR(written[3], x[1][1], 1e-12);
+    EXPECT_NEAR(written[5], x[2][1], 1e-12);
   }
 }
 
@@ -46,10 +46,10 @@ TEST(PathMotion, EndsAtRestExactlyAtTheEndOfThePath) {
   EXPECT_EQ(motion->duration(), 2);
   EXPECT_EQ(motion->pieces(), 2u);
   const MotionState end = motion->final_state();
-  EXPECT_NEAR(end.position[0], 0, 1e-14);
-  EXPECT_EQ(end.position[1], radius);
-  EXPECT_EQ(end.velocity[0], 0);
-  EXPECT_EQ(end.acceleration[1], 0);
+  EXPECT_NEAR(end[0][0], 0, 1e-14);
+  EXPECT_EQ(end[0][1], radius);
+  EXPECT_EQ(end[1][0], 0);
+  EXPECT_EQ(end[2][1], 0);
 }
 
 TEST(PathMotion, PlacesStayWithinTheirPiece) {

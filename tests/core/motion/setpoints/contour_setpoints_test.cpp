@@ -48,8 +48,8 @@ TEST(PathMotion, VelocityAndAccelerationAreDerivatives) {
                       after = t->evaluate(at + d, piece);
     if (t->law().find(at - d) != t->law().find(at + d)) continue;  // a joint of the law in between
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_NEAR((after.position[k] - before.position[k]) / (2 * d), here.velocity[k], 1e-4);
-      EXPECT_NEAR((after.velocity[k] - before.velocity[k]) / (2 * d), here.acceleration[k], 1);
+      EXPECT_NEAR((after[0][k] - before[0][k]) / (2 * d), here[1][k], 1e-4);
+      EXPECT_NEAR((after[1][k] - before[1][k]) / (2 * d), here[2][k], 1);
     }
     ++compared;
   }
@@ -65,9 +65,9 @@ TEST(PathMotion, WritesWhatItsStatesAre) {
       t->write_driven(piece, t->along(piece, at), out.data());
       const MotionState state = t->in_piece(piece, at);
       for (std::size_t k = 0; k < axes; ++k) {
-        EXPECT_EQ(out[k], state.position[k]);
-        EXPECT_EQ(out[axes + k], state.velocity[k]);
-        EXPECT_EQ(out[2 * axes + k], state.acceleration[k]);
+        EXPECT_EQ(out[k], state[0][k]);
+        EXPECT_EQ(out[axes + k], state[1][k]);
+        EXPECT_EQ(out[2 * axes + k], state[2][k]);
       }
     }
     EXPECT_EQ(out[3 * axes], 12345.0);

@@ -31,13 +31,13 @@ TEST(FittedMotion, IsSlowedDerivativeByDerivative) {
   const FittedMotion slow(spline(), 2, law({1, 1}), {});
   EXPECT_EQ(slow.duration(), 2);
   const MotionState a = spline()->in_piece(0, 0.3), b = slow.in_piece(0, 0.6);
-  EXPECT_NEAR(b.position[0], a.position[0], 1e-15);
-  EXPECT_NEAR(b.velocity[0], a.velocity[0] / 2, 1e-15);
-  EXPECT_NEAR(b.acceleration[0], a.acceleration[0] / 4, 1e-15);
-  EXPECT_NEAR(b.jerk[0], a.jerk[0] / 8, 1e-15);
+  EXPECT_NEAR(b[0][0], a[0][0], 1e-15);
+  EXPECT_NEAR(b[1][0], a[1][0] / 2, 1e-15);
+  EXPECT_NEAR(b[2][0], a[2][0] / 4, 1e-15);
+  EXPECT_NEAR(b[3][0], a[3][0] / 8, 1e-15);
   Polynomial p;
   ASSERT_TRUE(slow.polynomial(0, 0, p));
-  EXPECT_NEAR(evaluate(p, 0.6), b.position[0], 1e-15);
+  EXPECT_NEAR(evaluate(p, 0.6), b[0][0], 1e-15);
 }
 
 TEST(FittedMotion, BordersThatAreTheSameButForRoundingAreTheLaws) {
@@ -49,14 +49,14 @@ TEST(FittedMotion, BordersThatAreTheSameButForRoundingAreTheLaws) {
 
 TEST(FittedMotion, EndsAtRest) {
   const FittedMotion velocity(spline(), 1, law({1}), {}, 1);
-  EXPECT_NEAR(velocity.in_piece(1, 1).velocity[0], 0, 1e-15);
-  EXPECT_EQ(velocity.in_piece(1, 0.5).velocity[0], 4.5);
+  EXPECT_NEAR(velocity.in_piece(1, 1)[1][0], 0, 1e-15);
+  EXPECT_EQ(velocity.in_piece(1, 0.5)[1][0], 4.5);
   const FittedMotion both(spline(), 1, law({1}), {}, 2);
-  EXPECT_NEAR(both.in_piece(1, 1).velocity[0], 0, 1e-14);
-  EXPECT_NEAR(both.in_piece(1, 1).acceleration[0], 0, 1e-13);
-  EXPECT_EQ(both.in_piece(1, 0.5).velocity[0], 4.5);
-  EXPECT_EQ(both.in_piece(1, 0.5).acceleration[0], spline()->in_piece(1, 0.5).acceleration[0]);
-  EXPECT_EQ(both.final_state().velocity[0], 0);
+  EXPECT_NEAR(both.in_piece(1, 1)[1][0], 0, 1e-14);
+  EXPECT_NEAR(both.in_piece(1, 1)[2][0], 0, 1e-13);
+  EXPECT_EQ(both.in_piece(1, 0.5)[1][0], 4.5);
+  EXPECT_EQ(both.in_piece(1, 0.5)[2][0], spline()->in_piece(1, 0.5)[2][0]);
+  EXPECT_EQ(both.final_state()[1][0], 0);
 }
 
 /// y follows the tool round an arc of 0.05 mm, 30 m along the path, in more pieces than the law has: what the rounding
@@ -98,8 +98,8 @@ TEST(FittedMotion, AxesThatStandStillComeLast) {
   ASSERT_EQ(motion.axes(), 2u);
   for (const double t : {0.1, 0.7, 1.0}) {
     const MotionState x = motion.evaluate(t);
-    EXPECT_EQ(x.position[1], 7);
-    EXPECT_EQ(x.velocity[1], 0);
+    EXPECT_EQ(x[0][1], 7);
+    EXPECT_EQ(x[1][1], 0);
   }
   Polynomial p;
   ASSERT_TRUE(motion.polynomial(1, 1, p));

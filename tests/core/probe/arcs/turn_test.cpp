@@ -45,17 +45,17 @@ TEST(Turn, TheWrittenMotionPassesFromEntryToExitAndIsNeverFaster) {
     double farthest = 0;
     for (double t = 0; t <= size.duration; t += size.duration / 500) {
       const MotionState s = motion.motion->evaluate(t);
-      EXPECT_LE(std::hypot(s.velocity[0], s.velocity[1]), v * (1 + 1e-12));
+      EXPECT_LE(std::hypot(s[1][0], s[1][1]), v * (1 + 1e-12));
       for (std::size_t k = 0; k < 2; ++k) {
-        EXPECT_LE(std::abs(s.acceleration[k]), 200 * (1 + 1e-9));
-        EXPECT_LE(std::abs(s.jerk[k]), 4000 * (1 + 1e-9));
+        EXPECT_LE(std::abs(s[2][k]), 200 * (1 + 1e-9));
+        EXPECT_LE(std::abs(s[3][k]), 4000 * (1 + 1e-9));
       }
-      const Vec x{s.position[0], s.position[1]};
+      const Vec x{s[0][0], s[0][1]};
       farthest = std::max(
           farthest, t < size.duration / 2 ? distance_from_edge(x, {-9, 0}, at) : distance_from_edge(x, at, 9 * out));
     }
     const MotionState middle = motion.motion->evaluate(size.duration / 2);
-    EXPECT_LE(std::hypot(middle.position[0], middle.position[1]), 1e-13);
+    EXPECT_LE(std::hypot(middle[0][0], middle[0][1]), 1e-13);
     // Its deviation is that of the densest samples.
     const double deviation = turn.deviation(v, {{-9, 0}, at, 9 * out, 1}, 0);
     EXPECT_GE(deviation, farthest * (1 - 1e-9) - 1e-15) << "but for the rounding of a turn on its own line";

@@ -32,15 +32,15 @@ TEST(ChainMotion, PiecesPassTheNodesWithTheirStatesAndEndAtRest) {
     const MotionState x = motion.in_piece(CellBasis::pieces * (c + 1) - 1, t);
     for (std::size_t k = 0; k < 2; ++k) {
       const auto& state = chain.node[c + 1].state;
-      EXPECT_NEAR(x.position[k], state[0][k], 1e-10) << c;
-      EXPECT_NEAR(x.velocity[k], state[1][k], 1e-11) << c;
-      EXPECT_NEAR(x.acceleration[k], state[2][k], 1e-9) << c;
-      EXPECT_NEAR(x.jerk[k], state[3][k], 1e-7) << c;
+      EXPECT_NEAR(x[0][k], state[0][k], 1e-10) << c;
+      EXPECT_NEAR(x[1][k], state[1][k], 1e-11) << c;
+      EXPECT_NEAR(x[2][k], state[2][k], 1e-9) << c;
+      EXPECT_NEAR(x[3][k], state[3][k], 1e-7) << c;
     }
   }
   const MotionState corner = motion.evaluate(times[0]);
-  EXPECT_NEAR(corner.position[0], 4, 1e-12);
-  EXPECT_NEAR(corner.position[1], 0, 1e-12);
+  EXPECT_NEAR(corner[0][0], 4, 1e-12);
+  EXPECT_NEAR(corner[0][1], 0, 1e-12);
 }
 
 TEST(ChainMotion, WhatRoundingLeavesOpenIsPutIntoHigherDegrees) {

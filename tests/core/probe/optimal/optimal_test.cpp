@@ -161,7 +161,7 @@ TEST(Optimal, DensePointsOfAStraightCostNothingWithNoiseOrWithout) {
     for (const double share : {0.0, 0.9}) {
       const ProbeMotion plan = optimal(dense(true, n, share * 3e-4, 3e-4));
       EXPECT_LT(plan.duration(), 1.0001 * 0.67) << n << " " << share;
-      for (double t = 0; t < plan.duration(); t += 0.01) EXPECT_EQ(plan.motion->evaluate(t).position[1], 0) << t;
+      for (double t = 0; t < plan.duration(); t += 0.01) EXPECT_EQ(plan.motion->evaluate(t)[0][1], 0) << t;
     }
 }
 

@@ -26,7 +26,7 @@ TEST(MotionWriter, EachPieceGoesOnWhereTheOneBeforeEnds) {
   const ProbeMotion motion = writer.finish();
   EXPECT_EQ(motion.times, (std::vector<double>{0, 0.75}));
   ASSERT_EQ(motion.motion->pieces(), 2u);
-  EXPECT_EQ(motion.motion->evaluate(0.25).position[0], 2);
+  EXPECT_EQ(motion.motion->evaluate(0.25)[0][0], 2);
   EXPECT_EQ(motion.motion->duration(), 0.75);
   EXPECT_EQ(motion.phases.size(), 1u);
 }

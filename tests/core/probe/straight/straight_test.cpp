@@ -37,7 +37,7 @@ TEST(Straight, PointsBetweenArePassedWhereTheyAre) {
   EXPECT_NEAR(motion.duration(), duration, 1e-12);
   ASSERT_EQ(motion.times.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i)
-    EXPECT_NEAR(motion.motion->evaluate(motion.times[i]).position[0], p.points[i].x, 1e-9) << i;
+    EXPECT_NEAR(motion.motion->evaluate(motion.times[i])[0][0], p.points[i].x, 1e-9) << i;
   probe_cases::expect_right(p, motion);
 }
 

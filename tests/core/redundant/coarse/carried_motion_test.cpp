@@ -32,26 +32,26 @@ TEST(CarriedMotion, TakesEachAxisFromWhereItBelongs) {
     for (const double part : {0.0, 0.3, 1.0}) {
       const double t = motion.begin(piece) + part;
       const MotionState x = motion.in_piece(piece, t);
-      EXPECT_NEAR(x.position[0], spline()->evaluate(t).position[0], 1e-12);
-      EXPECT_NEAR(x.velocity[0], spline()->evaluate(t).velocity[0], 1e-12);
-      EXPECT_NEAR(x.position[1], head()->evaluate(t).position[1], 1e-12);
-      EXPECT_NEAR(x.velocity[1], head()->evaluate(t).velocity[1], 1e-12);
+      EXPECT_NEAR(x[0][0], spline()->evaluate(t)[0][0], 1e-12);
+      EXPECT_NEAR(x[1][0], spline()->evaluate(t)[1][0], 1e-12);
+      EXPECT_NEAR(x[0][1], head()->evaluate(t)[0][1], 1e-12);
+      EXPECT_NEAR(x[1][1], head()->evaluate(t)[1][1], 1e-12);
       for (std::size_t axis = 0; axis < 2; ++axis) {
         Polynomial p;
         ASSERT_TRUE(motion.polynomial(piece, axis, p));
-        EXPECT_NEAR(evaluate(p, part), x.position[axis], 1e-12);
+        EXPECT_NEAR(evaluate(p, part), x[0][axis], 1e-12);
       }
     }
   }
-  EXPECT_NEAR(motion.final_state().position[0], 3, 1e-12);
-  EXPECT_NEAR(motion.final_state().position[1], 4, 1e-12);
+  EXPECT_NEAR(motion.final_state()[0][0], 3, 1e-12);
+  EXPECT_NEAR(motion.final_state()[0][1], 4, 1e-12);
 }
 
 TEST(CarriedMotion, NeedsNothingElseWhereEveryAxisIsTheHeads) {
   const CarriedMotion motion(head(), nullptr, {true, true});
   EXPECT_EQ(motion.pieces(), 2u);
-  EXPECT_NEAR(motion.evaluate(2).position[0], 1.5, 1e-12);
-  EXPECT_NEAR(motion.evaluate(2).position[1], 2, 1e-12);
+  EXPECT_NEAR(motion.evaluate(2)[0][0], 1.5, 1e-12);
+  EXPECT_NEAR(motion.evaluate(2)[0][1], 2, 1e-12);
 }
 
 TEST(CarriedMotion, OnCurvesACarriedAxisIsNoPolynomial) {

@@ -34,11 +34,11 @@ TEST(CoarseAlone, TheCoarseAxesDoWhatTheHeadDoesWithinTheirLimits) {
       const MotionState x = r.head->evaluate(t), c = r.coarse->evaluate(t);
       for (std::size_t k = 0; k < machine.axes.size(); ++k) {
         const Limits& coarse = machine.axes[k].coarse;
-        ASSERT_NEAR(x.position[k], c.position[k], 1e-12);
-        ASSERT_NEAR(x.velocity[k], c.velocity[k], 1e-9);
-        EXPECT_LE(std::abs(c.velocity[k]), coarse.velocity * (1 + 1e-9));
-        EXPECT_LE(std::abs(c.acceleration[k]), coarse.acceleration * (1 + 1e-9));
-        EXPECT_LE(std::abs(c.jerk[k]), coarse.jerk * (1 + 1e-6));
+        ASSERT_NEAR(x[0][k], c[0][k], 1e-12);
+        ASSERT_NEAR(x[1][k], c[1][k], 1e-9);
+        EXPECT_LE(std::abs(c[1][k]), coarse.velocity * (1 + 1e-9));
+        EXPECT_LE(std::abs(c[2][k]), coarse.acceleration * (1 + 1e-9));
+        EXPECT_LE(std::abs(c[3][k]), coarse.jerk * (1 + 1e-6));
       }
     }
   }

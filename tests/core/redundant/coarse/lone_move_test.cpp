@@ -35,20 +35,20 @@ void expect_held(const Contour& contour, const CoarseFineMachine& machine) {
       EXPECT_LE(head.along(i, t).v, task.feeds.front() * (1 + 1e-9));
       for (std::size_t k = 0; k < machine.axes.size(); ++k) {
         const CoarseFineAxis& a = machine.axes[k];
-        EXPECT_LE(std::abs(x.position[k] - c.position[k]), a.stroke * (1 + 1e-9) + 1e-9);
-        EXPECT_LE(std::abs(c.velocity[k]), a.coarse.velocity * (1 + 1e-9));
-        EXPECT_LE(std::abs(c.acceleration[k]), a.coarse.acceleration * (1 + 1e-9));
-        EXPECT_LE(std::abs(x.velocity[k] - c.velocity[k]), a.fine.velocity * (1 + 1e-9) + 1e-9);
-        EXPECT_LE(std::abs(x.acceleration[k] - c.acceleration[k]), a.fine.acceleration * (1 + 1e-9) + 1e-6);
-        EXPECT_LE(std::abs(c.jerk[k]), a.coarse.jerk * (1 + 1e-6));
-        EXPECT_LE(std::abs(x.jerk[k] - c.jerk[k]), a.fine.jerk * (1 + 1e-6) + 1);
+        EXPECT_LE(std::abs(x[0][k] - c[0][k]), a.stroke * (1 + 1e-9) + 1e-9);
+        EXPECT_LE(std::abs(c[1][k]), a.coarse.velocity * (1 + 1e-9));
+        EXPECT_LE(std::abs(c[2][k]), a.coarse.acceleration * (1 + 1e-9));
+        EXPECT_LE(std::abs(x[1][k] - c[1][k]), a.fine.velocity * (1 + 1e-9) + 1e-9);
+        EXPECT_LE(std::abs(x[2][k] - c[2][k]), a.fine.acceleration * (1 + 1e-9) + 1e-6);
+        EXPECT_LE(std::abs(c[3][k]), a.coarse.jerk * (1 + 1e-6));
+        EXPECT_LE(std::abs(x[3][k] - c[3][k]), a.fine.jerk * (1 + 1e-6) + 1);
       }
     }
   const MotionState end = coarse.in_piece(head.pieces() - 1, head.duration());
   for (std::size_t k = 0; k < machine.axes.size(); ++k) {
-    EXPECT_NEAR(end.velocity[k], 0, 1e-11 * machine.axes[k].coarse.velocity);
+    EXPECT_NEAR(end[1][k], 0, 1e-11 * machine.axes[k].coarse.velocity);
     if (machine.limits_jerk()) {
-      EXPECT_NEAR(end.acceleration[k], 0, 1e-14 * machine.axes[k].coarse.acceleration);
+      EXPECT_NEAR(end[2][k], 0, 1e-14 * machine.axes[k].coarse.acceleration);
     }
   }
   for (std::size_t i = 1; i < head.pieces(); ++i) {
@@ -56,8 +56,8 @@ void expect_held(const Contour& contour, const CoarseFineMachine& machine) {
     for (const Motion* motion : {static_cast<const Motion*>(&head), static_cast<const Motion*>(&coarse)}) {
       const MotionState before = motion->in_piece(i - 1, t), after = motion->in_piece(i, t);
       for (std::size_t k = 0; k < machine.axes.size(); ++k) {
-        EXPECT_NEAR(before.position[k], after.position[k], places);
-        EXPECT_NEAR(before.velocity[k], after.velocity[k], 1e-11 * machine.axes[k].coarse.velocity);
+        EXPECT_NEAR(before[0][k], after[0][k], places);
+        EXPECT_NEAR(before[1][k], after[1][k], 1e-11 * machine.axes[k].coarse.velocity);
       }
     }
   }
@@ -106,7 +106,7 @@ TEST(LoneMove, HoldsAStrokeOfAMicrometreFarFromTheOrigin) {
   for (std::size_t i = 0; i < head.pieces(); ++i)
     for (int n = 0; n <= 4000; ++n) {
       const double t = head.begin(i) + (head.end(i) - head.begin(i)) * n / 4000;
-      ASSERT_LE(std::abs(head.in_piece(i, t).position[0] - coarse.in_piece(i, t).position[0]), 0.001) << t;
+      ASSERT_LE(std::abs(head.in_piece(i, t)[0][0] - coarse.in_piece(i, t)[0][0]), 0.001) << t;
     }
 }
 

@@ -45,12 +45,12 @@ TEST(HeadCells, HoldWhatTheHeadDoes) {
     EXPECT_LE(end - begin, 2e-3 * (1 + 1e-9));
     for (std::size_t a = 0; a < 2; ++a) {
       const MotionState at = head.in_piece(cells.pieces[c], begin);
-      EXPECT_EQ(cells.nodes[a][c].x, at.position[a]);
-      EXPECT_EQ(cells.nodes[a][c].v, at.velocity[a]);
+      EXPECT_EQ(cells.nodes[a][c].x, at[0][a]);
+      EXPECT_EQ(cells.nodes[a][c].v, at[1][a]);
       const Range& r = cells.cells[a][c].acceleration;
       EXPECT_LE(r.width(), 3000 * (1 + 1e-9));
       for (int i = 1; i < 20; ++i) {
-        const double x = head.evaluate(begin + (end - begin) * i / 20).acceleration[a];
+        const double x = head.evaluate(begin + (end - begin) * i / 20)[2][a];
         EXPECT_GE(x, r.lowest - 1e-6 * 76000);
         EXPECT_LE(x, r.highest + 1e-6 * 76000);
       }
@@ -92,7 +92,7 @@ TEST(HeadCells, WithLimitedJerkBreakWhereTheAccelerationJumps) {
       jumps += std::abs(node.a_jump) > 100;
       if (c == 0) continue;
       const std::size_t piece = cells.pieces[c];
-      const double before = head.in_piece(piece - 1, head.end(piece - 1)).acceleration[k];
+      const double before = head.in_piece(piece - 1, head.end(piece - 1))[2][k];
       if (head.begin(piece) == cells.times[c]) {
         EXPECT_NEAR(node.a - node.a_jump, before, 1e-6 * 76000);
       }

@@ -18,7 +18,7 @@ double largest_acceleration(const PathMotion& head, std::size_t axis) {
   for (std::size_t i = 0; i < head.pieces(); ++i)
     for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const double t = head.begin(i) + part * (head.end(i) - head.begin(i));
-      most = std::max(most, std::abs(head.in_piece(i, t).acceleration[axis]));
+      most = std::max(most, std::abs(head.in_piece(i, t)[2][axis]));
     }
   return most;
 }

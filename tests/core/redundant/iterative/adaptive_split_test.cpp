@@ -7,7 +7,7 @@
 #include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/redundant/iterative/iterative.hpp"
-#include "core/redundant/reversed_task.hpp"
+#include "core/redundant/methods/reversed_task.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/redundant/iterative/iterative_plans.hpp"
 

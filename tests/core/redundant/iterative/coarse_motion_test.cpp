@@ -22,9 +22,9 @@ TEST(CoarseMotion, EveryAxisKeepsItsOwnPieces) {
   for (int i = 0; i <= 30; ++i) {
     const double t = 0.1 * i;
     const MotionState s = motion->evaluate(t);
-    EXPECT_NEAR(s.position[0], x.in_piece(x.find(t, 0), t).x, 1e-13);
-    EXPECT_NEAR(s.position[1], y.in_piece(y.find(t, 0), t).x, 1e-13);
-    EXPECT_NEAR(s.velocity[1], y.in_piece(y.find(t, 0), t).v, 1e-13);
+    EXPECT_NEAR(s[0][0], x.in_piece(x.find(t, 0), t).x, 1e-13);
+    EXPECT_NEAR(s[0][1], y.in_piece(y.find(t, 0), t).x, 1e-13);
+    EXPECT_NEAR(s[1][1], y.in_piece(y.find(t, 0), t).v, 1e-13);
   }
 }
 
@@ -36,8 +36,8 @@ TEST(CoarseMotion, KnotsThatDifferByRoundingAreOne) {
   y.append(2, {1, 1, -4, 0, 0, 0});
   const auto motion = coarse_motion({x, y}, 2);
   EXPECT_EQ(motion->pieces(), 2u);
-  EXPECT_EQ(motion->in_piece(1, 1.5).acceleration[0], 8);
-  EXPECT_EQ(motion->in_piece(1, 1.5).acceleration[1], -8);
+  EXPECT_EQ(motion->in_piece(1, 1.5)[2][0], 8);
+  EXPECT_EQ(motion->in_piece(1, 1.5)[2][1], -8);
 }
 
 /// Next to rests numbers are small: what rounding leaves at knots is large beside them.
@@ -60,12 +60,12 @@ TEST(CoarseMotion, WithLimitsPiecesGoOnWhereTheOneBeforeEnded) {
     for (std::size_t i = 1; i < motion->pieces(); ++i) {
       const double t = motion->begin(i);
       const MotionState a = motion->in_piece(i - 1, t), b = motion->in_piece(i, t);
-      ASSERT_EQ(a.position[0], b.position[0]);
-      ASSERT_EQ(a.velocity[0], b.velocity[0]);
+      ASSERT_EQ(a[0][0], b[0][0]);
+      ASSERT_EQ(a[1][0], b[1][0]);
       if (jerk) {
-        ASSERT_EQ(a.acceleration[0], b.acceleration[0]);
+        ASSERT_EQ(a[2][0], b[2][0]);
       }
-      ASSERT_NEAR(b.position[0], x.in_piece(x.find(t, 0), t).x, 1e-9);
+      ASSERT_NEAR(b[0][0], x.in_piece(x.find(t, 0), t).x, 1e-9);
     }
   }
 }

@@ -41,8 +41,7 @@ TEST(SplitPeaks, BoundWhatDenseSamplesShow) {
     const MotionState x = head.evaluate(t, piece);
     samples.times.push_back(t);
     samples.segments.push_back(head.law().pieces()[piece].segment);
-    for (std::size_t k = 0; k < 2; ++k)
-      samples.axes[k].push_back({x.position[k], x.velocity[k], x.acceleration[k], x.jerk[k]});
+    for (std::size_t k = 0; k < 2; ++k) samples.axes[k].push_back({x[0][k], x[1][k], x[2][k], x[3][k]});
   }
   for (std::size_t k = 0; k < 2; ++k) {
     CellsBegin at;

@@ -82,7 +82,7 @@ TEST(Joint, MoreTimeTakesLessEnergy) {
   for (std::size_t k = 0; k < 2; ++k) {
     double energy = 0;
     for (std::size_t i = 0; i < r.coarse->pieces(); ++i) {
-      const double a = r.coarse->in_piece(i, r.coarse->begin(i)).acceleration[k];
+      const double a = r.coarse->in_piece(i, r.coarse->begin(i))[2][k];
       energy += a * a * (r.coarse->end(i) - r.coarse->begin(i));
     }
     EXPECT_NEAR(r.chosen.energy[k], energy, 1e-9 * energy);

@@ -24,7 +24,7 @@ TEST(Joint, OneHoleInsideTheStrokeHardlyMovesTheCoarseAxes) {
   EXPECT_EQ(r.chosen.duration, r.fastest);
   for (int i = 0; i <= 100; ++i) {  // what moves it are the few milliseconds in which the head uses both axes fully
     const MotionState x = r.coarse->evaluate(r.chosen.duration * i / 100);
-    EXPECT_LT(std::abs(x.position[0] - r.coarse->evaluate(0).position[0]), 5);
+    EXPECT_LT(std::abs(x[0][0] - r.coarse->evaluate(0)[0][0]), 5);
   }
 }
 

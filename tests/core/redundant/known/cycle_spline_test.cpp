@@ -22,14 +22,14 @@ TEST(CycleSpline, HasAContinuousAccelerationWhosePeaksAreDifferencesOfControlPoi
   for (std::size_t i = 0; i < spline.pieces(); ++i) {
     if (i > 0) {
       const MotionState a = spline.in_piece(i - 1, spline.begin(i)), b = spline.in_piece(i, spline.begin(i));
-      EXPECT_NEAR(a.position[0], b.position[0], 1e-12);
-      EXPECT_NEAR(a.velocity[0], b.velocity[0], 1e-9);
-      EXPECT_NEAR(a.acceleration[0], b.acceleration[0], 1e-6);
+      EXPECT_NEAR(a[0][0], b[0][0], 1e-12);
+      EXPECT_NEAR(a[1][0], b[1][0], 1e-9);
+      EXPECT_NEAR(a[2][0], b[2][0], 1e-6);
     }
     for (const double at : {0.0, 0.3, 0.5, 0.8, 1.0}) {
       const MotionState x = spline.in_piece(i, spline.begin(i) + at * h);
-      velocity = std::fmax(velocity, std::abs(x.velocity[0]));
-      acceleration = std::fmax(acceleration, std::abs(x.acceleration[0]));
+      velocity = std::fmax(velocity, std::abs(x[1][0]));
+      acceleration = std::fmax(acceleration, std::abs(x[2][0]));
     }
   }
   double most_first = 0, most_second = 0;
@@ -40,11 +40,11 @@ TEST(CycleSpline, HasAContinuousAccelerationWhosePeaksAreDifferencesOfControlPoi
   EXPECT_LE(velocity, most_first * (1 + 1e-9));
   EXPECT_NEAR(acceleration, most_second, 1e-6 * most_second);
   for (const MotionState& x : {spline.in_piece(0, 0), spline.final_state()}) {
-    EXPECT_NEAR(x.velocity[0], 0, 1e-10);
-    EXPECT_NEAR(x.acceleration[0], 0, 1e-6);
+    EXPECT_NEAR(x[1][0], 0, 1e-10);
+    EXPECT_NEAR(x[2][0], 0, 1e-6);
   }
-  EXPECT_EQ(spline.in_piece(0, 0).position[0], 5);
-  EXPECT_NEAR(spline.final_state().position[0], 8, 1e-13);
+  EXPECT_EQ(spline.in_piece(0, 0)[0][0], 5);
+  EXPECT_NEAR(spline.final_state()[0][0], 8, 1e-13);
 }
 
 TEST(CycleSpline, TakesFourControlPointsAtLeast) {

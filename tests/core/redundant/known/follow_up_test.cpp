@@ -20,7 +20,7 @@ TEST(KnownMethods, FollowingUpTheCoarseAxesStandWhereTheFineOnesCut) {
     const LawPiece& p = r.head->law().pieces()[i];
     if (p.segment % 2 == 0 || !(p.duration > 0)) continue;  // a line, then a circle
     const MotionState g = r.coarse->evaluate(p.t0 + 0.5 * p.duration);
-    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(g.velocity[k], 0, 1e-7);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(g[1][k], 0, 1e-7);
     ++cut;
   }
   EXPECT_GE(cut, 6u);
@@ -31,7 +31,7 @@ TEST(KnownMethods, FollowingUpTheCoarseAxesAloneCutWhatDoesNotFit) {
   const RedundancyResult r = plan(task, RedundancyMethod::follow_up);
   expect_valid(task, r);
   for (double t = 0; t < r.head->duration(); t += 0.001) {
-    const double x = r.head->evaluate(t).position[0] - r.coarse->evaluate(t).position[0];
+    const double x = r.head->evaluate(t)[0][0] - r.coarse->evaluate(t)[0][0];
     EXPECT_NEAR(x, 0, 1e-6);
   }
 }

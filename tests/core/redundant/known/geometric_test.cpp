@@ -23,7 +23,7 @@ TEST(KnownMethods, GeometricallySplitAllAxesStopAtCorners) {
     const LawPiece& p = r.head->law().pieces()[i];
     if (p.segment == r.head->law().pieces()[i - 1].segment) continue;
     ++corners;
-    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(r.coarse->evaluate(p.t0).velocity[k], 0, 1e-6);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(r.coarse->evaluate(p.t0)[1][k], 0, 1e-6);
   }
   EXPECT_EQ(corners, 3);
 }

@@ -85,7 +85,7 @@ TEST(KnownMethods, FineAxesAreCentredAtBothEndsWhereTheyHaveToBe) {
       expect_valid(task, r);
       for (const double t : {0.0, r.head->duration()}) {
         const MotionState x = r.head->evaluate(t), c = r.coarse->evaluate(t);
-        for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(x.position[k], c.position[k], 1e-8) << t;
+        for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(x[0][k], c[0][k], 1e-8) << t;
       }
     }
   }

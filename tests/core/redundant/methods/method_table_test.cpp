@@ -36,8 +36,8 @@ TEST(Redundancy, JointIsThePlannerOfThatName) {
     const MotionState head = found.head->evaluate(t), coarse = found.coarse->evaluate(t),
                       fine = expected_fine->evaluate(t);
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_NEAR(head.position[k] - coarse.position[k], fine.position[k], 1e-12);
-      EXPECT_LE(std::abs(head.position[k] - coarse.position[k]), joint.machine.axes[k].stroke);
+      EXPECT_NEAR(head[0][k] - coarse[0][k], fine[0][k], 1e-12);
+      EXPECT_LE(std::abs(head[0][k] - coarse[0][k]), joint.machine.axes[k].stroke);
     }
   }
 }

@@ -19,7 +19,7 @@ using reference::Maker;
 template <int N = 2>
 struct Grid {
   explicit Grid(const Contour& contour, const Machine& m = machine(N, 500, 16000), double corner_angle = 2e-3)
-      : path(contour.path, N), progress(silent, "bound", 0, 1), grid(path, m, contour.feeds(), corner_angle, progress) {
+      : path(contour.path, N), progress(silent, "bound"), grid(path, m, contour.feeds(), corner_angle, progress) {
     grid.build(0, contour.path.size());
   }
   CartesianAxisPath path;

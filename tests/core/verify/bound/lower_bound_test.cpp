@@ -289,7 +289,8 @@ TEST(LowerBound, StopsWhenAsked) {
       throw Stopped(StopReason::deadline);
     }
   } progress;
-  EXPECT_THROW(lower_bound(reference::circle_between_lines(), machine(2, 1, 1), corner_angle, progress, 0.25, 0.75),
+  EXPECT_THROW(lower_bound(reference::circle_between_lines(), machine(2, 1, 1), corner_angle,
+                           Progress(progress).part(0.25, 0.75)),
                Stopped);
 }
 

@@ -14,7 +14,7 @@ namespace {
 struct ArcLength : testing::Test {
   Path path;
   Progress progress;
-  ProgressScope stage_progress{progress, "", 0, 1};
+  ProgressScope stage_progress{progress, ""};
   void SetUp() override {
     path.append(std::make_shared<Rational>(Rational::from_power_basis({{0, 40, -30, 25}, {0, -5, 60, -20}})), 0);
   }

@@ -151,9 +151,9 @@ TEST(MotionChecks, PeaksOfRandomSplinesAreNeverBelowTheirSamples) {
     for (int i = 0; i <= 2000; ++i) {
       const MotionState x = motion.in_piece(0, T * i / 2000);
       for (std::size_t k = 0; k < 3; ++k) {
-        v[k] = std::max(v[k], std::abs(x.velocity[k]));
-        a[k] = std::max(a[k], std::abs(x.acceleration[k]));
-        j[k] = std::max(j[k], std::abs(x.jerk[k]));
+        v[k] = std::max(v[k], std::abs(x[1][k]));
+        a[k] = std::max(a[k], std::abs(x[2][k]));
+        j[k] = std::max(j[k], std::abs(x[3][k]));
       }
     }
     for (std::size_t k = 0; k < 3; ++k) {

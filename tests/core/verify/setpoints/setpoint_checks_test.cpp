@@ -238,11 +238,12 @@ TEST_F(SetpointChecks, StopsWhenAskedAndReportsOften) {
     int calls = 0, stop = 1000;
   };
   Watching watching;
-  setpoint_checks({motion->path(), m, motion->law(), *rows, &contour, 0.5, 0.75}, watching);
+  setpoint_checks({motion->path(), m, motion->law(), *rows, &contour}, Progress(watching).part(0.5, 0.75));
   EXPECT_GE(watching.calls, static_cast<int>(last / 8192) + 2);
   Watching stopping;
   stopping.stop = 2;
-  EXPECT_THROW(setpoint_checks({motion->path(), m, motion->law(), *rows, &contour, 0.5, 0.75}, stopping), Stopped);
+  EXPECT_THROW(setpoint_checks({motion->path(), m, motion->law(), *rows, &contour}, Progress(stopping).part(0.5, 0.75)),
+               Stopped);
 }
 
 TEST_F(SetpointChecks, RestIsAMotion) {

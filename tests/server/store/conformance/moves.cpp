@@ -1,8 +1,8 @@
 /// Jobs moved from one store into another: from an SQLite file into each form of store, and back into a file.
 #include "server/runtime/clock.hpp"
 #include "server/store/codec.hpp"
-#include "server/store/move_store.hpp"
 #include "server/store/open.hpp"
+#include "server/store/open/move_store.hpp"
 #include "server/store/postgres/moving.hpp"
 #include "server/store/sqlite/connection.hpp"
 #include "server/store/sqlite/moving.hpp"

@@ -1,4 +1,4 @@
-#include "core/redundant/coarse/following.hpp"
+#include "core/redundant/head/following.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -18,8 +18,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/contour/gcode/compensation/offset_piece.hpp"
-#include "core/contour/gcode/mover.hpp"
+#include "core/contour/gcode/moves/mover.hpp"
+#include "core/contour/gcode/moves/offset_piece.hpp"
 
 namespace bahnwerk::gcode {
 

@@ -1,4 +1,4 @@
-#include "core/redundant/reversed_task.hpp"
+#include "core/redundant/methods/reversed_task.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Cutter radius compensation: where the cutter's centre goes, and what it refuses.
-#include "core/contour/gcode/compensation/compensation.hpp"
+#include "core/contour/gcode/moves/compensation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/contour/gcode/compensation/offset_piece.hpp"
+#include "core/contour/gcode/moves/offset_piece.hpp"
 
 #include <algorithm>
 #include <array>

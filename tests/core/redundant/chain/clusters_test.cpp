@@ -1,4 +1,4 @@
-#include "core/redundant/head/clusters.hpp"
+#include "core/redundant/chain/clusters.hpp"
 
 #include <gtest/gtest.h>
 

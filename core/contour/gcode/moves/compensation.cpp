@@ -1,4 +1,4 @@
-#include "core/contour/gcode/compensation/compensation.hpp"
+#include "core/contour/gcode/moves/compensation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/contour/gcode/mover.hpp"
+#include "core/contour/gcode/moves/mover.hpp"
 
 #include <algorithm>
 #include <cmath>

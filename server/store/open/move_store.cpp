@@ -1,4 +1,4 @@
-#include "server/store/move_store.hpp"
+#include "server/store/open/move_store.hpp"
 
 #include "server/store/open.hpp"
 #include "server/store/postgres/moving.hpp"

@@ -1,4 +1,4 @@
-#include "core/redundant/reversed_task.hpp"
+#include "core/redundant/methods/reversed_task.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,9 +50,9 @@ TEST(ReversedTask, ItsPlanIsOneOfTheTaskBackwardsInTime) {
       const MotionState x = plan.head->evaluate(t), y = other.head->evaluate(other.head->duration() - t),
                         c = plan.coarse->evaluate(t), d = other.coarse->evaluate(other.head->duration() - t);
       for (std::size_t k = 0; k < 2; ++k) {
-        EXPECT_NEAR(x.position[k], y.position[k], 1e-9);
-        EXPECT_NEAR(x.velocity[k], -y.velocity[k], 1e-6);
-        EXPECT_NEAR(c.position[k], d.position[k], 1e-9);
+        EXPECT_NEAR(x[0][k], y[0][k], 1e-9);
+        EXPECT_NEAR(x[1][k], -y[1][k], 1e-6);
+        EXPECT_NEAR(c[0][k], d[0][k], 1e-9);
       }
     }
     // Pieces lie in their segments, one behind the other.

@@ -1,5 +1,3 @@
-#include "core/contour/dxf.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,6 +5,7 @@
 #include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
+#include "core/contour/dxf.hpp"
 #include "core/contour/dxf/cut/cut.hpp"
 #include "core/contour/dxf/read/drawing.hpp"
 #include "core/contour/dxf/read/tags.hpp"

@@ -1,6 +1,5 @@
-#include "core/contour/gcode.hpp"
-
 #include "core/base/progress.hpp"
+#include "core/contour/gcode.hpp"
 #include "core/contour/gcode/flow/control.hpp"
 #include "core/contour/gcode/interpreter.hpp"
 #include "core/contour/gcode/words/parameters.hpp"

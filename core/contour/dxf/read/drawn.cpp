@@ -1,4 +1,4 @@
-#include "core/contour/dxf/drawn.hpp"
+#include "core/contour/dxf/read/drawn.hpp"
 
 #include <algorithm>
 #include <cmath>
