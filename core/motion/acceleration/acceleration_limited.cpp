@@ -21,37 +21,19 @@ namespace {
 constexpr std::size_t max_foreseen = 16'000'000;  // largest number of pieces that room is made for
 constexpr double first_growth = 3;                // assumed ratio of cells after dividing to cells before
 
-/// Plans sections: each in one window if it fits, else in several.
+/// Plans sections of one path.
 template <int N>
 class SectionPlanner {
  public:
   SectionPlanner(const LanePath<N>& path, const CellBudget& budget, WindowSolver<N>& window)
-      : path_(path),
-        budget_(budget),
-        window_(window),
-        window_cells_(static_cast<double>(budget.options.window)),
-        one_window_(budget.cells() <= window_cells_) {}
+      : path_(path), budget_(budget), window_(window), window_cells_(static_cast<double>(budget.options.window)) {}
 
-  /// Plans the section over the segments [first, last).
+  /// Plans the section over the segments [first, last): at once if it fits a window, otherwise window by window, each
+  /// to a stop at its end. The part before the last segment border is used that this stop does not influence and where
+  /// the speed is determined by earlier cells, or does not change; the next window begins there. If there is no such
+  /// border, or the next window cannot continue from it, windows grow.
   void plan(std::size_t first, std::size_t last, Progress progress, AccelerationLimitedResult& result) {
-    if (!one_window_ && reach(first, last, window_cells_) < last) return plan_long(first, last, progress, result);
-    ProgressScope stage_progress(progress, "planning");
-    solve(first, last, 0, stage_progress, result);
-    write(window_.cells(), slowing(window_.excess(window_.cells())), result, stage_progress);
-  }
-
- private:
-  /// Returns the end of the segments from `first` on that have about so many cells; one at least.
-  std::size_t reach(std::size_t first, std::size_t last, double cells) const {
-    std::size_t end = first;
-    for (; end < last && cells > 0; ++end) cells -= budget_.cells(end);
-    return end;
-  }
-
-  /// Plans window by window, each to a stop at its end. The part before the last segment border is used that this stop
-  /// does not influence and where the speed is determined by earlier cells, or does not change; the next window begins
-  /// there. If there is no such border, or the next window cannot continue from it, windows grow.
-  void plan_long(std::size_t first, std::size_t last, Progress progress, AccelerationLimitedResult& result) {
+    const bool fits = reach(first, last, window_cells_) == last;
     struct Place {
       std::size_t begin, pieces, cells;  // segment; sizes of the law before it
       double entry, excess, window;      // v² there, largest excess before it, cells of the window
@@ -66,7 +48,7 @@ class SectionPlanner {
     const Place at = solve_windows(begin, last, [&](Place& here, Place* before) -> WindowResult<Place> {
       result.law.truncate(here.pieces);
       result.cells = here.cells;
-      const std::size_t end = reach(here.begin, last, here.window / grown);
+      const std::size_t end = fits ? last : reach(here.begin, last, here.window / grown);
       ProgressScope stage_progress(progress.part(fraction(here.begin), fraction(end)), "planning");
       solve(here.begin, end, here.entry, stage_progress, result);
       const std::size_t keep = end == last ? window_.cells() : window_.border();
@@ -76,7 +58,7 @@ class SectionPlanner {
         before->window = here.window;
         return WindowRetry::before;
       }
-      write(keep, 1, result, stage_progress);
+      write(keep, result, stage_progress);
       grown = std::max(1.0, static_cast<double>(window_.cells()) * grown / here.window);
       return Place{end == last ? last : window_.segment(keep),
                    result.law.pieces().size(),
@@ -86,6 +68,14 @@ class SectionPlanner {
                    here.window};
     });
     if (const double slow = slowing(at.excess); slow > 1) result.law.slow_from(first_piece, slow);
+  }
+
+ private:
+  /// Returns the end of the segments from `first` on that have about so many cells; one at least.
+  std::size_t reach(std::size_t first, std::size_t last, double cells) const {
+    std::size_t end = first;
+    for (; end < last && cells > 0; ++end) cells -= budget_.cells(end);
+    return end;
   }
 
   void solve(std::size_t first, std::size_t last, double entry, ProgressScope& stage_progress,
@@ -100,12 +90,12 @@ class SectionPlanner {
     return most > 0 ? std::sqrt(1 + most) * (1 + 1e-12) : 1;
   }
 
-  /// Writes the law of the window's first cells, slowed by a factor, behind the law so far.
-  void write(std::size_t cells, double slow, AccelerationLimitedResult& result, ProgressScope& stage_progress) {
+  /// Writes the law of the window's first cells behind the law so far.
+  void write(std::size_t cells, AccelerationLimitedResult& result, ProgressScope& stage_progress) {
     stage_progress.report();
     make_room(result.law, cells, stage_progress);
     result.cells += cells;
-    LawWriter law(result.law, path_.tool(), slow);
+    LawWriter law(result.law, path_.tool());
     window_.write(cells, law, stage_progress);
   }
 
@@ -119,7 +109,6 @@ class SectionPlanner {
   const CellBudget& budget_;
   WindowSolver<N>& window_;
   double window_cells_;
-  bool one_window_;  // one window suffices for any section
 };
 
 template <int N>

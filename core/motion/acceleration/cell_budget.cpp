@@ -24,9 +24,32 @@ constexpr double long_segment = 1000, few_curved = 4096;
 // Largest margin below the limits, and least and largest ratio of the margin to the error of the cells' model.
 constexpr double usual_margin = 1e-5, least_share = 100, most_share = 1000;
 
+/// Returns the approximate turn of a curved segment, rad. Through kinematics it is the change of the scaled q′ of the
+/// axes.
+template <int N>
+double turn_of(const LanePath<N>& path, std::size_t index) {
+  const Segment& segment = path[index];
+  if (path.cartesian() && segment.curve().kind() == CurveKind::arc)
+    return norm(segment.at_parameter(segment.curve().begin()).d2) * segment.length();
+  const auto sum_of_changes = [&](auto&& direction, auto&& change) {
+    const std::vector<double> panel = segment.panel_parameters();
+    double turn = 0;
+    auto before = direction(panel[0]);
+    for (std::size_t k = 1; k < panel.size(); ++k) {
+      const auto after = direction(panel[k]);
+      turn += change(before, after);
+      before = after;
+    }
+    return turn;
+  };
+  if (path.cartesian()) return sum_of_changes([&](double u) { return segment.at_parameter(u).d1; }, angle_between);
+  return sum_of_changes([&](double u) { return path.at(index, u).d1; },
+                        [](const Lanes<N>& a, const Lanes<N>& b) { return std::sqrt(sum((a - b) * (a - b))); });
+}
+
 template <int N>
 CurvedParts curved_parts(const LanePath<N>& path, std::size_t segment) {
-  return path.linear(segment) ? CurvedParts{} : CurvedParts{1, total_turn(path, segment, segment + 1)};
+  return path.linear(segment) ? CurvedParts{} : CurvedParts{1, turn_of(path, segment)};
 }
 
 /// Returns the cells per counted cell of some of the segments: 1, more where curvature changes fast.

@@ -1,5 +1,5 @@
 #pragma once
-/// Writes the law of one section, cell by cell, slowed by one factor.
+/// Writes the law of one section, cell by cell.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,19 +13,18 @@ namespace bahnwerk {
 /// Path lengths count from the beginning of the segment. Each call is O(1).
 class LawWriter {
  public:
-  LawWriter(TimeLaw& law, const Path& path, double slow)
-      : law_(law), path_(path), slow_(slow), v_(1 / slow), a_(v_ * v_), j_(a_ * v_) {}
+  LawWriter(TimeLaw& law, const Path& path) : law_(law), path_(path) {}
 
   /// Writes the law of a cell from s to s_end, mm.
   void cell(const CellLaw& cell, std::size_t segment, double s, double s_end) {
     const double from = path_[segment].s0();
     LawPiece& p = law_.next();
-    p.duration = cell.duration * slow_;
+    p.duration = cell.duration;
     p.s = from + s;
     p.s_end = from + s_end;
-    p.v = cell.v * v_;
-    p.a = cell.a * a_;
-    p.j = cell.j * j_;
+    p.v = cell.v;
+    p.a = cell.a;
+    p.j = cell.j;
     p.segment = segment;
   }
 
@@ -62,7 +61,6 @@ class LawWriter {
 
   TimeLaw& law_;
   const Path& path_;
-  double slow_, v_, a_, j_;  // factors of durations, speeds, accelerations, jerks
 };
 
 }  // namespace bahnwerk

@@ -355,43 +355,9 @@ void Grid<N>::insert(const LargeVector<Station<N>>& inner, const LargeVector<Inn
   }
 }
 
-template <int N>
-double total_turn(const LanePath<N>& path, std::size_t first, std::size_t last) {
-  double turn = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const Segment& segment = path[i];
-    if (path.linear(i)) continue;
-    if (path.cartesian() && segment.curve().kind() == CurveKind::arc) {
-      turn += norm(segment.at_parameter(segment.curve().begin()).d2) * segment.length();
-      continue;
-    }
-    const std::vector<double> panel = segment.panel_parameters();
-    if (!path.cartesian()) {
-      Lanes<N> before = path.at(i, panel[0]).d1;
-      for (std::size_t k = 1; k < panel.size(); ++k) {
-        const Lanes<N> after = path.at(i, panel[k]).d1;
-        turn += distance<N>(before, after);
-        before = after;
-      }
-      continue;
-    }
-    Vec before = segment.at_parameter(panel[0]).d1;
-    for (std::size_t k = 1; k < panel.size(); ++k) {
-      const Vec after = segment.at_parameter(panel[k]).d1;
-      turn += angle_between(before, after);
-      before = after;
-    }
-  }
-  return turn;
-}
-
 template class Grid<2>;
 template class Grid<3>;
 template class Grid<5>;
 template class Grid<8>;
-template double total_turn<2>(const LanePath<2>&, std::size_t, std::size_t);
-template double total_turn<3>(const LanePath<3>&, std::size_t, std::size_t);
-template double total_turn<5>(const LanePath<5>&, std::size_t, std::size_t);
-template double total_turn<8>(const LanePath<8>&, std::size_t, std::size_t);
 
 }  // namespace bahnwerk

@@ -114,18 +114,9 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made
   insert(inner, divided, progress);
 }
 
-/// Returns the approximate turn of the path over the segments [first, last), rad, which determines the number of cells.
-/// Through kinematics it is the change of the scaled q′ of the axes.
-template <int N>
-double total_turn(const LanePath<N>& path, std::size_t first, std::size_t last);
-
 extern template class Grid<2>;
 extern template class Grid<3>;
 extern template class Grid<5>;
 extern template class Grid<8>;
-extern template double total_turn<2>(const LanePath<2>&, std::size_t, std::size_t);
-extern template double total_turn<3>(const LanePath<3>&, std::size_t, std::size_t);
-extern template double total_turn<5>(const LanePath<5>&, std::size_t, std::size_t);
-extern template double total_turn<8>(const LanePath<8>&, std::size_t, std::size_t);
 
 }  // namespace bahnwerk

@@ -73,7 +73,7 @@ class Planner {
     if (!split_.resolves_samples()) return NoPlan::samples_apart;
     result_.fastest = split_.fastest();
     coarse_.resize(task_.machine.axes.size());
-    const bool found = options_.window ? windowed() : whole();
+    const bool found = search();
     result_.slowed = split_.slowed(), result_.passes = split_.passes();
     result_.iterations = result_.passes.size();
     return found ? std::nullopt : std::optional(NoPlan::no_split);
@@ -114,17 +114,9 @@ class Planner {
     return begin;
   }
 
-  /// Plans the whole contour at once.
-  bool whole() {
-    std::optional<SplitPart> part = split_.solve(0, sections().size(), at_head());
-    if (!part) return false;
-    for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k] = std::move(part->coarse[k]);
-    law_ = std::move(part->law);
-    return true;
-  }
-
-  /// Plans in windows by Algorithm 4.2; windows begin where the head rests.
-  bool windowed() {
+  /// Plans in windows by Algorithm 4.2, which begin where the head rests, or the whole contour in one. Returns false if
+  /// there is no motion.
+  bool search() {
     struct Place {
       std::size_t begin;  // section
       std::vector<SplineBegin> state;
@@ -163,6 +155,7 @@ class Planner {
   /// Returns the index behind the last section of the window that begins at `first`: as many blocks as requested,
   /// rounded to whole sections. Long moves are windows of their own.
   std::size_t window_end(std::size_t first) const {
+    if (!options_.window) return sections().size();
     std::size_t last = first + 1;
     if (long_move(first)) return last;
     const std::size_t wished = sections().begin(first) + options_.window->blocks;

@@ -75,6 +75,20 @@ TEST(JerkBound, StaysBelowThePlanAndCloseToIt) {
     }
 }
 
+// A long section is bounded in windows. Their ends cost next to nothing: every round of a circle that is driven at two
+// feeds takes as long as one more of a few.
+TEST(JerkBound, LosesNextToNothingBetweenWindows) {
+  const auto circle = [](int rounds) {
+    Maker maker;
+    for (int i = 0; i < rounds; ++i) maker.block(400).arc({0, 20}, {0, 10}, true).block(200).arc({0, 0}, {0, 10}, true);
+    return maker.done();
+  };
+  const auto low = [&](int rounds) { return bound(circle(rounds), machine(1e6)); };
+  const double few = low(12), many = low(60), round = few - low(11);
+  EXPECT_NEAR(many - few, 48 * round, 1e-3 * many);
+  EXPECT_LE(many, planned(circle(60), machine(1e6)));
+}
+
 // A right angle rounded within 0.02 mm between lines, as blends do it: by the relaxation alone the bound is 4 to 5 %
 // low, because time may pass there without moving; with the caps and cells of long sections 0.9 to 1.0 %.
 TEST(JerkBound, IsCloseAtRoundedCorners) {
