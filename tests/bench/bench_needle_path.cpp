@@ -46,7 +46,7 @@ struct StatorCoil {
   NeedlePath path(std::size_t most, std::size_t& made) const {
     const auto list = turns(coil_regions(part, slot, coil), slot, 0.25, most);
     made = list.size();
-    return needle_path(*support_points(part, {coil}, list, model, silent), true, {}, silent);
+    return *needle_path(*support_points(part, {coil}, list, model, silent), true, {}, silent);
   }
 };
 
@@ -76,7 +76,7 @@ void rotor(benchmark::State& state, double radius, std::size_t most) {
   for (auto _ : state) {
     const auto list = turns(coil_regions(part, slot, coil), slot, radius, most);
     made = list.size();
-    benchmark::DoNotOptimize(needle_path(*support_points(part, list, model, silent), false, {}, silent));
+    benchmark::DoNotOptimize(*needle_path(*support_points(part, list, model, silent), false, {}, silent));
   }
   count(state, made);
 }
