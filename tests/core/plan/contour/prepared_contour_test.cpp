@@ -24,7 +24,7 @@ TEST(PreparedContour, CornersStayWhereNoRoundingIsAskedFor) {
   ContourPlanning planning;
   planning.method = PlanningMethod::time_optimal;
   const auto given = corner();
-  const PreparedContour p = prepare_contour(given, machine, planning, silent, 0, 0);
+  const PreparedContour p = prepare_contour(given, machine, planning, silent);
   EXPECT_EQ(p.given, given);
   EXPECT_EQ(p.rounded, nullptr);
   EXPECT_EQ(p.moving.axes.size(), 2u) << "the third axis stands still";
@@ -45,7 +45,7 @@ TEST(PreparedContour, RoundedCornersKeepTheFeedsOfTheirBlocks) {
   planning.method = PlanningMethod::jerk_limited;
   planning.corner_mode = CornerMode::blend;
   planning.blend_tolerance = 0.05;
-  const PreparedContour p = prepare_contour(corner(), machine, planning, silent, 0, 0.1);
+  const PreparedContour p = prepare_contour(corner(), machine, planning, silent);
   ASSERT_NE(p.rounded, nullptr);
   EXPECT_GT(p.rounded->path.size(), 2u);
   EXPECT_LT(p.rounded->path.length(), p.given->path.length());

@@ -36,7 +36,8 @@ TEST(SlowLines, NamesLineTimeAndLimit) {
   EXPECT_GT(p.slow_lines[0].limit_share, 0.95);
   for (const SlowLine& line : p.slow_lines)
     if (line.source == 2) {  // 80 mm at 4000 mm/s² are over before 900 mm/s are reached
-      EXPECT_EQ(line.limit.order, 2), EXPECT_EQ(line.limit.axis, "y");
+      EXPECT_EQ(line.limit.order, 2);
+      EXPECT_EQ(line.limit.axis, "y");
     }
   double sum = 0;
   for (const SlowLine& line : p.slow_lines) sum += line.share;
