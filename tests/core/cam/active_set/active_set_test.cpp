@@ -19,7 +19,9 @@ using namespace testing_problems;
 
 LawSolution solved(const MotionLawProblem& problem, const ActiveSetOptions& options = {}) {
   Progress progress;
-  return *solve_active_set(problem, angles(problem), progress, options);
+  Expected<LawSolution, NoLaw> found = solve_active_set(problem, angles(problem), progress, options);
+  if (!found) throw Infeasible("no order of conversions ends");
+  return *std::move(found);
 }
 std::vector<std::string> fault_places(const MotionLawProblem& problem) {
   std::vector<std::string> out;
