@@ -51,8 +51,8 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, Progres
   build(first, last, progress);
   const std::size_t n = grid_.cells.size(), window = usual_window();
   best_duration_ = unlimited;
-  bool done = window > 0 && static_cast<double>(n) > last_window * static_cast<double>(window) &&
-              plan_windows(window, part);
+  bool done =
+      window > 0 && static_cast<double>(n) > last_window * static_cast<double>(window) && plan_windows(window, part);
   if (!done) {
     const auto starts = this->starts();
     const std::size_t next = usual_start() + 1;
@@ -60,8 +60,7 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, Progres
     for (std::size_t i = 1; i < starts.size() && !done; ++i) {
       build(first, last, progress);  // cells may have been divided: they are built again
       // If a long section fails, shorter windows may succeed.
-      done = (i == next && window > 0 && n > few_cells && plan_windows(n / 4, part)) ||
-             plan_whole(starts[i], progress);
+      done = (i == next && window > 0 && n > few_cells && plan_windows(n / 4, part)) || plan_whole(starts[i], progress);
     }
     if (!done) {
       build(first, last, progress);
