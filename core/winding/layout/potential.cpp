@@ -76,7 +76,7 @@ std::vector<Point> potential(const Region& usable_area, double radius, std::span
     const bool last = stride == 1;
     const std::vector<std::vector<Point>> likely{best};
     const double share = last ? 1 : 0.1;
-    search.set_span(0, last ? 1 : 0.1);
+    search.set_reach(share);
     auto found = search.find(count, likely, work_of(options, share), tries_of(options, share, count));
     if (found) take(std::move(*found));
     if (best.size() < count) stride /= 2;

@@ -161,7 +161,7 @@ std::optional<std::vector<Point>> PackingSearch::find(std::size_t count, std::sp
   const auto goes_on = [&] {
     const double spent = 1 - static_cast<double>(end - std::min(end, energy_.work())) / static_cast<double>(work);
     const double tried = 1 - static_cast<double>(last - std::min(last, settled_)) / static_cast<double>(tries);
-    progress_.reach(from_ + (to_ - from_) * std::max(spent, tried));
+    progress_.reach(reach_ * std::max(spent, tried));
     return energy_.work() < end && settled_ < last;
   };
   std::vector<State> states;

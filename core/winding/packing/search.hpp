@@ -27,11 +27,8 @@ class PackingSearch {
   /// Adds wires to an allowed layout as long as one fits into its holes.
   void fill(std::vector<Point>& wires);
 
-  /// Sets the part of the progress that the next tries cover.
-  void set_span(double from, double to) {
-    from_ = from;
-    to_ = to;
-  }
+  /// Sets the fraction of the progress that the next tries reach.
+  void set_reach(double fraction) { reach_ = fraction; }
   Random& random() { return random_; }
   const std::vector<Side>& sides() const { return sides_; }
 
@@ -76,7 +73,7 @@ class PackingSearch {
   std::size_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> first_;  ///< first of the pool's points in each cell
   std::size_t settled_ = 0;
-  double from_ = 0, to_ = 1;
+  double reach_ = 1;
   std::vector<double> clearance_, share_;
 };
 
