@@ -33,6 +33,7 @@ test('ribbon and curves are drawn, each with a name for who cannot see it, and a
   for (const selector of ['.ribbon', '.overview', '.chart canvas']) assert.ok(colours(await page.pixels(`#curves ${selector}`)) > 2, `${selector} is blank`);
   for (const canvas of await page.locator('#curves .chart canvas').all()) assert.match(await canvas.getAttribute('aria-label'), /from .* to .*rows 0 to/);
   await page.locator('#curves summary', { hasText: 'table' }).click();
+  await page.quiet();
   assert.ok((await page.locator('#curves details table tbody tr').count()) >= 20);
 });
 

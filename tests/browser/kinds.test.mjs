@@ -14,6 +14,7 @@ test('fill_factor: a click on the map draws that layout, the slider lays its wir
   await kindOf(page);
   const cell = page.locator('button.heat').nth(7), title = await cell.getAttribute('title');
   await cell.click();
+  await page.quiet();
   assert.equal(await cell.getAttribute('aria-pressed'), 'true');
   const most = Number(/: (\d+)/.exec(title)[1]);
   await page.locator('#kind input[type=range]').press('Home');
@@ -48,6 +49,7 @@ test('coarse and fine: five further plans, one click each to compare', async ({ 
   assert.equal(jobs.length, 6);
   assert.deepEqual(new Set(jobs.map((each) => each.state)), new Set(['succeeded']));
   await page.locator('#kind summary', { hasText: 'As a table' }).first().click();
+  await page.quiet();
   assert.equal(await page.locator('#kind a', { hasText: 'Compare' }).count(), 5);
   await page.close();
 });
