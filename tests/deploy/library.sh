@@ -24,7 +24,7 @@ head -n 1 "$work/rows" | grep -q '; verified$' || fail "its plan is not verified
 awk 'NR == 3 && ($1 != 0 || $2 != 0) { exit 1 } END { exit !(NR > 10 && $1 == 80 && $2 > 40) }' "$work/rows" || fail "the rows are not those of the contour"
 
 mapfile -t public < <(sed -n 's/^| `\(bahnwerk\/[a-z_/]*\.hpp\)` |.*/\1/p' "$root/docs/library.md" | sort)
-declared=$(sed -n '/^set(BAHNWERK_PUBLIC_HEADERS/,/)$/p' "$root/cmake/library.cmake" | grep -o '[a-z_]*/[a-z_]*\.hpp' | sed 's#^#bahnwerk/#' | sort)
+declared=$(sed -n '/^set(BAHNWERK_PUBLIC_HEADERS/,/)$/p' "$root/cmake/library.cmake" | grep -o '[a-z_/]*\.hpp' | sed 's#^#bahnwerk/#' | sort)
 [[ "$(printf '%s\n' "${public[@]}")" == "$declared" ]] || fail "docs/library.md and cmake/library.cmake name different headers"
 # Each of them first in a file; none of the libraries that core uses is needed.
 for header in "${public[@]}"; do echo "#include <$header>"; done >"$work/all.cpp"
