@@ -48,7 +48,7 @@ Chart arms() {
   constexpr int shown = 12;
   for (int i = 0; i < shown; ++i) {
     const MotionState at = plan.motion->evaluate(plan.motion->duration() * i / shown);
-    const double t1 = at.position[0], both = t1 + at.position[1];
+    const double t1 = at[0][0], both = t1 + at[0][1];
     const Point shoulder{sizes.origin.x, sizes.origin.y},
         elbow{shoulder.x + sizes.l1 * std::cos(t1), shoulder.y + sizes.l1 * std::sin(t1)},
         tool{elbow.x + sizes.l2 * std::cos(both), elbow.y + sizes.l2 * std::sin(both)};
@@ -72,8 +72,8 @@ Chart table() {
   for (int i = 0; i <= shown; ++i) {
     const double t = duration * i / shown;
     const MotionState at = plan.motion->evaluate(t);
-    theta.push_back({t, std::abs(at.acceleration[0]) / (3600 * degree)});
-    r.push_back({t, std::abs(at.acceleration[1]) / 6000});
+    theta.push_back({t, std::abs(at[2][0]) / (3600 * degree)});
+    r.push_back({t, std::abs(at[2][1]) / 6000});
   }
   Chart chart({"Polar machine: use of the axes' accelerations on the bracket's free-form window",
                "t, s",

@@ -99,7 +99,7 @@ Line speed_over_length(const TimeLaw& law) {
 Line use_over_time(const Motion& motion, const Machine& machine, std::size_t axis) {
   Line line;
   along(motion, [&](double t, const MotionState& at) {
-    line.push_back({t, std::abs(at.acceleration[axis]) / machine.axes[axis].acceleration});
+    line.push_back({t, std::abs(at[2][axis]) / machine.axes[axis].acceleration});
   });
   return line;
 }
@@ -110,9 +110,9 @@ Line largest_use(const Motion& motion, const Machine& machine, Quantity quantity
     double most = 0;
     for (std::size_t k = 0; k < machine.dimension(); ++k) {
       const AxisLimits& axis = machine.axes[k];
-      const double share = quantity == Quantity::velocity       ? at.velocity[k] / axis.velocity
-                           : quantity == Quantity::acceleration ? at.acceleration[k] / axis.acceleration
-                                                                : at.jerk[k] / axis.jerk;
+      const double share = quantity == Quantity::velocity       ? at[1][k] / axis.velocity
+                           : quantity == Quantity::acceleration ? at[2][k] / axis.acceleration
+                                                                : at[3][k] / axis.jerk;
       most = std::max(most, std::abs(share));
     }
     line.push_back({t, most});
@@ -126,8 +126,8 @@ double share_at_limit(const Motion& motion, const Machine& machine) {
   along(motion, [&](double t, const MotionState& at) {
     bool full = false;
     for (std::size_t k = 0; k < machine.dimension(); ++k)
-      full = full || std::abs(at.acceleration[k]) > 0.999 * machine.axes[k].acceleration ||
-             std::abs(at.velocity[k]) > 0.999 * machine.axes[k].velocity;
+      full = full || std::abs(at[2][k]) > 0.999 * machine.axes[k].acceleration ||
+             std::abs(at[1][k]) > 0.999 * machine.axes[k].velocity;
     if (full && last) used += t - last_time;
     last = full;
     last_time = t;
