@@ -25,7 +25,6 @@ TEST(ProfileCurve, AHarmonicLawUnderAFlatFaceIsACircleWithinTheTolerance) {
 }
 
 TEST(ProfileCurve, DerivativesAreThoseByDifferences) {
-  Progress silent;
   CamGeometry radial, swinging, flat, barrel;
   radial.roller_radius = swinging.roller_radius = barrel.roller_radius = 9;
   radial.offset = 4, radial.clockwise = true;
