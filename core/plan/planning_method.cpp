@@ -90,8 +90,7 @@ MethodResult spline(const PathTask& task, const MethodOptions& given, int refine
 }
 
 constexpr MethodRow rows[] = {
-    //  method                             planner    limits_jerk  limits_along  takes_profile  refinement
-    //  holds_at_nodes
+    // method, planner, limits_jerk, limits_along, takes_profile, refinement, holds_at_nodes
     {PlanningMethod::braking_reserve, braking_reserve, false, false, false, Refinement::to_steady, false},
     {PlanningMethod::time_optimal, time_optimal, false, false, false, Refinement::to_bound, false},
     {PlanningMethod::jerk_limited, jerk_limited, true, true, false, Refinement::none, false},

@@ -17,7 +17,7 @@ namespace {
 constexpr double first_penalty = 1, last_penalty = 1e9, penalty_factor = 100;
 constexpr double start_fill = 0.95;  // part of the radius at which the barrier replaces the penalty
 constexpr double first_fall = 0.1;   // first μ, as a part of the mean complementarity of the penalty's multipliers
-constexpr double gap = 1e-4;         // of the barrier, relative to the sum of the weights
+constexpr double gap = 1e-4;         // duality gap at the end, relative to the sum of the weights
 constexpr int max_newton = 60;
 
 /// The method, in `Dim` coordinates. The slack of a site is s = r² − |residual|², its barrier has the weight of its
@@ -135,10 +135,11 @@ class Solver final : FeasibleProblem {
   }
 
   System system_;
-  std::vector<SiteTerm> terms_;                     // term of each site
-  std::vector<Coordinates> step_;                   // displacement of the spline at each site
-  double quadratic_ = 0, linear_ = 0, length_ = 0;  // of the energy along the step; how far it goes
-  double total_ = 0;                                // Σ of the gains
+  std::vector<SiteTerm> terms_;        // term of each site
+  std::vector<Coordinates> step_;      // displacement of the spline at each site
+  double quadratic_ = 0, linear_ = 0;  // second and first derivative of the energy along the step
+  double length_ = 0;                  // length of the step that go() tried last
+  double total_ = 0;                   // Σ of the gains
 };
 
 }  // namespace

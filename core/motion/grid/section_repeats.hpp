@@ -49,7 +49,7 @@ double for_each_section_once(const PathTask& task, const Sections& sections, Pro
   std::vector<Before> before;
   double work = 0;
   for_each_section(task.path.tool(), sections, progress, [&](std::size_t first, std::size_t last, Progress part) {
-    stage_progress.done(task.path.tool()[first].s0() / task.path.tool().length());
+    stage_progress.done(part_before(task.path.tool(), first));
     const std::size_t i = before.size();
     before.push_back({result.law.pieces().size(), result.cells, work});
     const std::size_t source = last == first + 1 && task.path.linear(first) ? i : repeats.source(i);

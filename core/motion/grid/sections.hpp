@@ -20,15 +20,17 @@ struct Sections {
 /// O(segments); reports to `progress`.
 Sections find_sections(const PathTask& task, double corner_angle, ProgressScope& progress);
 
+/// Returns the part of the path's length that lies before a segment; 1 for the end.
+inline double part_before(const Path& path, std::size_t segment) {
+  return segment < path.size() ? path[segment].s0() / path.length() : 1;
+}
+
 /// Plans section by section: plan(first segment, one past the last, its part of the progress, by path length).
 template <class Plan>
 void for_each_section(const Path& path, const Sections& sections, Progress progress, Plan&& plan) {
-  const auto fraction = [&](std::size_t segment) {
-    return segment < path.size() ? path[segment].s0() / path.length() : 1.0;
-  };
   for (std::size_t i = 0; i + 1 < sections.begin.size(); ++i)
     plan(sections.begin[i], sections.begin[i + 1],
-         progress.part(fraction(sections.begin[i]), fraction(sections.begin[i + 1])));
+         progress.part(part_before(path, sections.begin[i]), part_before(path, sections.begin[i + 1])));
 }
 
 }  // namespace bahnwerk

@@ -109,8 +109,8 @@ class RelaxationSolver final : InteriorPointProblem {
   Sides reach_{};  ///< largest −change/value of slacks and multipliers in the step
   double product_ =
       0;               ///< weight of the product of the predictor's steps: less of it where less of them could be taken
-  StepLengths taken_;  ///< of the last step
-  SymmetricBand<2> matrix_;  ///< of b, with the unused cells
+  StepLengths taken_;  ///< lengths of the last step
+  SymmetricBand<2> matrix_;  ///< matrix of the step of b; rows of the unused cells are those of the identity
   Row inverse_jerk_{}, inverse_acceleration_{};
   double duration_ = 0, complementarity_ = 0, violation_ = 0;
 };

@@ -15,7 +15,7 @@ class PathMotion;
 struct ActiveLimit {
   /// none: nothing comes within 5 % of its limit, because of a braking reserve or a limit between two switches.
   enum class Kind { none, feed, axis, path, dwell } kind = Kind::none;
-  int order = 0;          ///< of an axis and the path: the limited derivative
+  int order = 0;          ///< limited derivative of the axis or along the path
   std::string axis = {};  ///< name of the axis
 };
 

@@ -60,9 +60,8 @@ void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Pro
 const char* text(cam::NoLaw why) {
   switch (why) {
     case cam::NoLaw::ranges:
-      return "no order of turning violated ranges into values ends with a law that keeps all of them: widen a range, "
-             "or "
-             "use method \"optimal\"";
+      return "no order of turning violated ranges into values ends with a law that keeps all of them: widen a "
+             "range, or use method \"optimal\"";
     case cam::NoLaw::angles:
       return "no choice of angles in their ranges has a law";
   }

@@ -2,27 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "core/base/errors.hpp"
+#include "tests/core/base/last_report.hpp"
 
 namespace bahnwerk {
 namespace {
 
-struct Last final : ProgressSink {
-  void report(std::string_view name, double value, std::string_view text) override {
-    stage = name, fraction = value, message = text;
-    if (stop) throw Stopped(StopReason::cancelled);
-  }
-  std::string stage, message;
-  double fraction = -1;
-  bool stop = false;
-};
-
 TEST(Progress, OfNobodyReportsNothing) { EXPECT_NO_THROW(Progress().part(0, 0.5).named("x").report("inner", 0.5)); }
 
 TEST(Progress, PartsMapFractionsToTheirRange) {
-  Last last;
+  test::LastReport last;
   const Progress part = Progress(last).part(0.25, 0.75);
   part.report("inner", 0);
   EXPECT_EQ(last.stage, "inner");
@@ -37,7 +26,7 @@ TEST(Progress, PartsMapFractionsToTheirRange) {
 }
 
 TEST(Progress, TheOuterNameStandsBeforeInnerOnes) {
-  Last last;
+  test::LastReport last;
   const Progress outer = Progress(last).named("outer");
   outer.report("inner", 0);
   EXPECT_EQ(last.stage, "outer");
@@ -46,7 +35,7 @@ TEST(Progress, TheOuterNameStandsBeforeInnerOnes) {
 }
 
 TEST(Progress, AWishToStopPassesThrough) {
-  Last last;
+  test::LastReport last;
   last.stop = true;
   EXPECT_THROW(Progress(last).part(0, 0.5).named("split").report("inner", 0.5), Stopped);
 }

@@ -2,25 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "core/base/errors.hpp"
+#include "tests/core/base/last_report.hpp"
 
 namespace bahnwerk {
 namespace {
 
-struct Last final : ProgressSink {
-  void report(std::string_view name, double value, std::string_view text) override {
-    stage = name, fraction = value, message = text;
-    if (stop) throw Stopped(StopReason::cancelled);
-  }
-  std::string stage, message;
-  double fraction = -1;
-  bool stop = false;
-};
-
 TEST(OnwardProgress, ARepeatedStepReportsTheLargestFractionBefore) {
-  Last last;
+  test::LastReport last;
   OnwardProgress onward(last);
   onward.report("link", 0.4);
   onward.report("support points", 0.1, "again");
