@@ -5,6 +5,9 @@ import random
 
 import coarse_fine_properties
 import random_contour
+import random_curves
+import random_law
+import random_probe
 import random_slot
 import random_winding
 
@@ -54,16 +57,38 @@ def part_files():
             yield f"parts/{path.name}, jerk", job
 
 
+def random_winding_spec(r):
+    """A winding with any feed."""
+    spec = random_winding.spec(r)
+    spec["feed"].update(method=r.choice(["optimised", "critical_points", "constant", "natural"]),
+                        profile=r.choice(["double_s", "trapezoid", "trigonometric"]))
+    return spec
+
+
+LAWS = [random_law.monotone, random_law.first_angle, random_law.drive, random_law.lengths, random_law.free_ends, random_law.nested,
+        random_law.strokes]
+OF_KINDS = {
+    "contour": lambda r, i: random_curves.spec(r, random_curves.METHODS[i // 4 % 3]) if i % 4 == 3 else random_contour.spec(r),
+    "fill_factor": lambda r, i: random_slot.spec(r),
+    "motion_law": lambda r, i: LAWS[i % len(LAWS)](r),
+    "probe_path": lambda r, i: random_probe.spec(r),
+    "winding": lambda r, i: random_winding_spec(r),
+}
+
+
+def of_every_kind(count, seed):
+    """`count` documents of each kind, of any form that a generator has."""
+    for kind, spec in OF_KINDS.items():
+        for i in range(count):
+            yield f"{kind} #{i}", {"kind": kind, "spec": spec(random.Random(f"{seed}/{kind}/{i}"), i)}
+
+
 def random_documents(count, seed):
     """`count` documents, one in five a slot; and for one in ten a winding more, with any feed. Each has a generator of its
     own: one more does not change the others."""
     for i in range(count):
         if i % 10 == 3:
-            generator = random.Random(f"{seed}/winding/{i}")
-            spec = random_winding.spec(generator)
-            spec["feed"].update(method=generator.choice(["optimised", "critical_points", "constant", "natural"]),
-                                profile=generator.choice(["double_s", "trapezoid", "trigonometric"]))
-            yield f"winding {i}", {"kind": "winding", "spec": spec}
+            yield f"winding {i}", {"kind": "winding", "spec": random_winding_spec(random.Random(f"{seed}/winding/{i}"))}
         generator = random.Random(f"{seed}/{i}")
         if i % 5 == 4:
             yield f"slot {i}", {"kind": "fill_factor", "spec": random_slot.spec(generator)}
