@@ -36,7 +36,7 @@ class Sampler {
     for (const double end : segment.panel_parameters()) {
       if (!(end > u)) continue;
       const Vec q = curve.at(end).value;
-      between(curve, u, p, end, q, curve.at(u + (end - u) / 2).value, 0);
+      between(curve, {u, p}, {end, q}, curve.at(u + (end - u) / 2).value, 0);
       u = end, p = q;
     }
   }
@@ -50,16 +50,23 @@ class Sampler {
     const double length = norm(way);
     return length > 0 ? norm(cross(way, p - a)) / length : norm(p - a);
   }
-  void between(const Curve& curve, double u0, Vec p0, double u1, Vec p1, Vec middle, int depth) {
-    const double u = u0 + (u1 - u0) / 2;
-    const Vec first = curve.at(u0 + (u1 - u0) / 4).value, third = curve.at(u0 + (u1 - u0) * 3 / 4).value;
-    const double bulge = std::max({off(middle, p0, p1), off(first, p0, p1), off(third, p0, p1)});
+  /// A point of a curve with its parameter.
+  struct Sample {
+    double u;
+    Vec p;
+  };
+  /// Calls `to` with the points behind `a` up to `b`; `middle` is the point in the middle of their parameters.
+  void between(const Curve& curve, const Sample& a, const Sample& b, Vec middle, int depth) {
+    const double width = b.u - a.u;
+    const Vec first = curve.at(a.u + width / 4).value, third = curve.at(a.u + width * 3 / 4).value;
+    const double bulge = std::max({off(middle, a.p, b.p), off(first, a.p, b.p), off(third, a.p, b.p)});
     if (depth >= deepest || bulge <= tolerance_ / 2) {
       to_(middle);
-      return to_(p1);
+      return to_(b.p);
     }
-    between(curve, u0, p0, u, middle, first, depth + 1);
-    between(curve, u, middle, u1, p1, third, depth + 1);
+    const Sample half{a.u + width / 2, middle};
+    between(curve, a, half, first, depth + 1);
+    between(curve, half, b, third, depth + 1);
   }
 
   double tolerance_;

@@ -51,7 +51,7 @@ class Blender {
       take_rests(i);
       std::size_t j = i + 1;
       while (j < n && mode(j) == mode(i) && !rest_[j]) ++j;
-      auto list = element_runs(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, progress_);
+      auto list = element_runs(given_.path, i, j, block_, {tiny_share * options_.tolerance, reversal}, progress_);
       list.front().rest_begin = i == 0 || rests(i);
       list.back().rest_end = j == n || rests(j);
       for (const ElementRun& s : list) {
@@ -208,8 +208,8 @@ class Blender {
          i < stretch.elements.size() && stretch.elements[i].begin < range.b; ++i, ++segments)
       if (stretch.elements[i].block != stretch.elements[i - 1].block) borders.push_back(stretch.elements[i].begin);
     const auto smoothed = [&](bool rests) {
-      return smooth_run(stretch, range, borders, {used_share * options_.tolerance, fitted_share * options_.tolerance},
-                        given_.dimension, rests, progress_);
+      const RunTolerance tolerance{used_share * options_.tolerance, fitted_share * options_.tolerance};
+      return smooth_run(stretch, range, borders, {tolerance, given_.dimension, rests}, progress_);
     };
     SmoothedRun run = smoothed(depth >= max_splits);
     if (!run.done && depth < max_splits) {

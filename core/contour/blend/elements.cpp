@@ -155,7 +155,7 @@ bool begins_at_end(double a, double b, const std::function<Vec(double)>& point) 
 }
 
 std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::size_t last,
-                                     const std::vector<std::size_t>& blocks, double tiny, double reversal,
+                                     const std::vector<std::size_t>& blocks, const ElementOptions& options,
                                      ProgressScope& progress) {
   std::vector<Element> elements;
   for (std::size_t i = first; i < last;) {
@@ -168,7 +168,7 @@ std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::s
     std::size_t j = i;
     while (j < last && path[j].straight() && blocks[j] == blocks[i]) ++j;
     const std::size_t before = elements.size();
-    append_lines(path, i, j, blocks, tiny, elements);
+    append_lines(path, i, j, blocks, options.tiny, elements);
     // The block is a loop that small; it must not be lost.
     if (elements.size() == before)
       for (std::size_t k = i; k < j; ++k) elements.push_back(whole(path, k, blocks[k]));
@@ -182,7 +182,7 @@ std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::s
     if (i > 0) {
       const Element& before = elements[i - 1];
       cut = (before.segment && before.segment->cusp_end()) || (e.segment && e.segment->cusp_begin()) ||
-            angle_between(before.at(before.length).d1, e.at(0).d1) > reversal;
+            angle_between(before.at(before.length).d1, e.at(0).d1) > options.reversal;
     }
     if (cut) list.emplace_back();
     e.begin = list.back().length();

@@ -49,12 +49,18 @@ struct ElementRun {
 /// returns the point at t, mm; it is called 16 times at most.
 bool begins_at_end(double a, double b, const std::function<Vec(double)>& point);
 
-/// Divides the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and
-/// at cusps. Lines shorter than `tiny` mm are merged with neighbours of their block, beginning at one end that
+/// What element_runs() merges, and where it divides.
+struct ElementOptions {
+  double tiny = 0;      ///< mm; shorter lines are merged
+  double reversal = 0;  ///< rad; joints that turn by more divide
+};
+
+/// Divides the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` and at
+/// cusps. Lines shorter than `tiny` are merged with neighbours of their block, beginning at one end that
 /// begins_at_end() chooses: vertices move by at most that, borders of blocks not at all, and each block has at least
 /// one element. `blocks[i]` is the block of segment i. O(segments); reports to `progress`.
 std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::size_t last,
-                                     const std::vector<std::size_t>& blocks, double tiny, double reversal,
+                                     const std::vector<std::size_t>& blocks, const ElementOptions& options,
                                      ProgressScope& progress);
 
 }  // namespace bahnwerk::blending

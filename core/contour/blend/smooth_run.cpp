@@ -214,56 +214,17 @@ struct SmoothWindow {
   std::vector<double> failure_positions;  ///< places of failure, if not done
 };
 
-SmoothWindow smooth_window(const ElementRun& stretch, const RunRange& range, TubeScale scale, const TubeEnd& begin,
-                           const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension,
-                           ProgressScope& progress) {
-  SmoothWindow window;
-  std::vector<double> extra;
-  TubeProblem problem;
-  problem.dimension = dimension;
-  problem.begin = begin;
-  problem.end = end;
-  for (int round = 0; round < max_rounds; ++round) {
-    progress.report();
-    problem.breaks = scale.breaks();
-    problem.scale.clear();
-    for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)
-      problem.scale.push_back(2 * (problem.breaks[k + 1] - problem.breaks[k]));
-    problem.sites = sites_of(stretch, range, scale, site_share * tolerance.aimed, extra);
-    window.spline = smooth_in_tube(problem, progress);
-    if (!window.spline.inside) {
-      window.failure_positions.clear();
-      for (const TubeSite& site : problem.sites) {
-        const auto k = static_cast<std::size_t>(std::upper_bound(problem.breaks.begin(), problem.breaks.end(), site.t) -
-                                                problem.breaks.begin());
-        if (!(norm(window.spline.at(k - 1, site.t).value - site.p) < site.radius))
-          window.failure_positions.push_back(site.t);
-      }
-      if (!scale.refine(window.failure_positions)) return window;
-      continue;
-    }
-    const Finding finding = Inspection(stretch, problem, window.spline, tolerance).run(progress);
-    window.done = finding.places.empty();
-    if (window.done) window.breaks = std::move(problem.breaks);
-    if (!window.done) window.failure_positions = finding.places;
-    if (window.done || finding.turning) return window;
-    extra.insert(extra.end(), finding.places.begin(), finding.places.end());
-  }
-  return window;
-}
-
 /// Window by window along a run, each on from where the one before it was cut.
 class WindowedRun {
  public:
-  WindowedRun(const ElementRun& stretch, const RunRange& range, const RunTolerance& tolerance, std::size_t dimension,
-              bool rests, ProgressScope& progress)
+  WindowedRun(const ElementRun& stretch, const RunRange& range, const SmoothRunOptions& options,
+              ProgressScope& progress)
       : stretch_(stretch),
         range_(range),
-        tolerance_(tolerance),
-        dimension_(dimension),
+        options_(options),
         progress_(progress),
-        scale_(stretch, range.a, range.b, tolerance.aimed, progress),
-        rests_(rests || end_of_window(range.a, usual, range.b) < range.b) {}
+        scale_(stretch, range.a, range.b, options.tolerance.aimed, progress),
+        rests_(options.rests || end_of_window(range.a, usual, range.b) < range.b) {}
 
   SmoothedRun run() {
     run_.breaks = {range_.a};
@@ -294,6 +255,10 @@ class WindowedRun {
     return {at, range_.b, end_of(stretch_, at, clamped), usual, true, run_.pieces.size()};
   }
 
+  /// Returns a spline in a range of the run with the given ends; `scale` is its scale, which is refined where no curve
+  /// is found.
+  SmoothWindow smooth(const RunRange& range, TubeScale scale, const TubeEnd& begin, const TubeEnd& end) const;
+
   /// The cut from which a window cannot continue may be the cause: it and the window before are merged. Otherwise the
   /// window ends at a rest.
   WindowResult<Place> solve(Place& here, Place* before) {
@@ -301,9 +266,8 @@ class WindowedRun {
     run_.breaks.resize(here.pieces + 1);
     const double end = end_of_window(here.begin, here.size, here.stop);
     const bool all = here.begin == range_.a && end == range_.b;
-    SmoothWindow window =
-        smooth_window(stretch_, {here.begin, end}, all ? scale_ : scale_.part(here.begin, end), here.state,
-                      end_of(stretch_, end, end == range_.b && range_.clamped_end), tolerance_, dimension_, progress_);
+    SmoothWindow window = smooth({here.begin, end}, all ? scale_ : scale_.part(here.begin, end), here.state,
+                                 end_of(stretch_, end, end == range_.b && range_.clamped_end));
     if (window.done) return take(window, here, end == here.stop);
     if (!here.free && here.size == usual && before->size < largest) {
       before->size *= 2;
@@ -351,24 +315,60 @@ class WindowedRun {
 
   const ElementRun& stretch_;
   const RunRange& range_;
-  const RunTolerance& tolerance_;
-  std::size_t dimension_;
+  const SmoothRunOptions& options_;
   ProgressScope& progress_;
   TubeScale scale_;
   bool rests_;
   SmoothedRun run_;
 };
 
+SmoothWindow WindowedRun::smooth(const RunRange& range, TubeScale scale, const TubeEnd& begin,
+                                 const TubeEnd& end) const {
+  SmoothWindow window;
+  std::vector<double> extra;
+  TubeProblem problem;
+  problem.dimension = options_.dimension;
+  problem.begin = begin;
+  problem.end = end;
+  for (int round = 0; round < max_rounds; ++round) {
+    progress_.report();
+    problem.breaks = scale.breaks();
+    problem.scale.clear();
+    for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)
+      problem.scale.push_back(2 * (problem.breaks[k + 1] - problem.breaks[k]));
+    problem.sites = sites_of(stretch_, range, scale, site_share * options_.tolerance.aimed, extra);
+    window.spline = smooth_in_tube(problem, progress_);
+    if (!window.spline.inside) {
+      window.failure_positions.clear();
+      for (const TubeSite& site : problem.sites) {
+        const auto k = static_cast<std::size_t>(std::upper_bound(problem.breaks.begin(), problem.breaks.end(), site.t) -
+                                                problem.breaks.begin());
+        if (!(norm(window.spline.at(k - 1, site.t).value - site.p) < site.radius))
+          window.failure_positions.push_back(site.t);
+      }
+      if (!scale.refine(window.failure_positions)) return window;
+      continue;
+    }
+    const Finding finding = Inspection(stretch_, problem, window.spline, options_.tolerance).run(progress_);
+    window.done = finding.places.empty();
+    if (window.done) window.breaks = std::move(problem.breaks);
+    if (!window.done) window.failure_positions = finding.places;
+    if (window.done || finding.turning) return window;
+    extra.insert(extra.end(), finding.places.begin(), finding.places.end());
+  }
+  return window;
+}
+
 }  // namespace
 
 SmoothedRun smooth_run(const ElementRun& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& progress) {
+                       const SmoothRunOptions& options, ProgressScope& progress) {
   SmoothedRun run;
   if (begins_at_end(range.a, range.b, [&](double t) { return point_of(stretch, t); })) {
     const ReversedRun back(stretch, range);
-    run = back.turned_back(WindowedRun(back.stretch(), back.range(), tolerance, dimension, rests, progress).run());
+    run = back.turned_back(WindowedRun(back.stretch(), back.range(), options, progress).run());
   } else {
-    run = WindowedRun(stretch, range, tolerance, dimension, rests, progress).run();
+    run = WindowedRun(stretch, range, options, progress).run();
   }
   if (run.done) cut_at(borders, run);
   return run;

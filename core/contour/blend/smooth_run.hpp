@@ -22,6 +22,12 @@ struct RunTolerance {
   double proven = 0;  ///< largest distance anywhere, mm; a little larger
 };
 
+struct SmoothRunOptions {
+  RunTolerance tolerance;
+  std::size_t dimension = 2;  ///< of the contour: 2 or 3
+  bool rests = false;         ///< whether a window in which no curve is found may end at a rest
+};
+
 /// The result of smooth_run().
 struct SmoothedRun {
   bool done = false;
@@ -46,6 +52,6 @@ struct SmoothedRun {
 /// has no visible influence. If a window cannot start from a cut, it is merged with the previous one. Memory: about 1.5
 /// kB per interval of a window, and the pieces.
 SmoothedRun smooth_run(const ElementRun& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& progress);
+                       const SmoothRunOptions& options, ProgressScope& progress);
 
 }  // namespace bahnwerk::blending

@@ -11,9 +11,9 @@ constexpr double growth = 1.4, slope = 0.4;
 constexpr double node_step = 0.25;  // distance of nodes, as a part of H
 constexpr std::size_t fewest = 8;   // intervals
 
-/// The contour around t, `h` long, stays within the tolerance of its chord. `near`: an element near t.
-bool flat(const ElementRun& stretch, double a, double b, double t, double h, double tolerance, std::size_t near) {
-  const double low = std::max(a, t - 0.5 * h), high = std::min(b, t + 0.5 * h);
+/// Tells whether the contour between two places, mm, stays within the tolerance, mm, of its chord. `near` is an element
+/// near them.
+bool flat(const ElementRun& stretch, double low, double high, double tolerance, std::size_t near) {
   const Vec p = point_of(stretch, low, near);
   std::size_t last = near;
   const Vec way = point_of(stretch, high, last) - p;
@@ -40,10 +40,13 @@ TubeScale::TubeScale(const ElementRun& stretch, double a, double b, double toler
   min_ = least / 16;
   double h = most;
   std::size_t near = 0;
+  const auto flat_around = [&](double t, double length) {
+    return flat(stretch, std::max(a, t - 0.5 * length), std::min(b, t + 0.5 * length), tolerance, near);
+  };
   for (double t = a;; t = std::min(b, t + node_step * h)) {
     near = stretch.near(t, near);
-    while (h > least && !flat(stretch, a, b, t, h, tolerance, near)) h /= growth;
-    while (h < most && flat(stretch, a, b, t, h * growth, tolerance, near)) h *= growth;
+    while (h > least && !flat_around(t, h)) h /= growth;
+    while (h < most && flat_around(t, h * growth)) h *= growth;
     h = std::clamp(h, least, most);
     t_.push_back(t);
     h_.push_back(h);

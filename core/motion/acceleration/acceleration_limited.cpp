@@ -10,7 +10,6 @@
 #include "core/motion/acceleration/window_solver.hpp"
 #include "core/motion/grid/section_repeats.hpp"
 #include "core/motion/grid/sections.hpp"
-#include "core/motion/law/repeated_law.hpp"
 #include "core/numeric/grow.hpp"
 #include "core/numeric/windows.hpp"
 
@@ -121,13 +120,10 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   AccelerationLimitedResult result;
   WindowSolver<N> window(path, lanes, budget.options, task.feeds, sections, budget.cells());
   SectionPlanner<N> planner(path, budget, window);
-  for_each_section_once(
-      task, sections, progress, result,
-      [&](std::size_t first, std::size_t last, Progress part) {
-        planner.plan(first, last, part, result);
-        return 0.0;
-      },
-      [&](auto&&... what) { repeat_law(result.law, what...); });
+  for_each_section_once(task, sections, progress, result, [&](std::size_t first, std::size_t last, Progress part) {
+    planner.plan(first, last, part, result);
+    return 0.0;
+  });
   return result;
 }
 

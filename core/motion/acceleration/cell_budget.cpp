@@ -64,7 +64,7 @@ double cell_density(const LanePath<N>& path, const Machine& lanes, const std::ve
     const std::size_t i = k * n / looks;
     const double count = segments[i].count(options.grid.angle);
     if (!(count > 0 && count < long_segment)) continue;
-    grid.build(path, i, i + 1, feeds, lanes, options.grid, progress);
+    grid.build(path, i, i + 1, {lanes, feeds}, options.grid, progress);
     cells += std::max(1.0, static_cast<double>(grid.cells.size()) - graded_cells);
     all += count;
   }

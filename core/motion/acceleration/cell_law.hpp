@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/motion/acceleration/station_limits.hpp"
 #include "core/motion/grid/even_samples.hpp"
@@ -39,6 +40,14 @@ struct Excess {
   double acceleration, velocity;
 };
 
+/// The ends of a curved cell.
+template <int N>
+struct CellEnds {
+  const Station<N>&left, &right;
+  double b1, b2;  ///< v² of the law at both ends, mm²/s²
+  double length() const { return right.s - left.s; }
+};
+
 namespace cell_law_detail {
 
 /// The path between two stations from their derivatives: the cubic of h'' and the quintic of h', which are accurate
@@ -69,11 +78,12 @@ inline double peak(const std::array<double, 5>& f) {
 }  // namespace cell_law_detail
 
 /// Evaluates both ends and the middle of a cell in which nothing switches. The error of the parabola through these
-/// three points is smaller than its second difference by the angle that the path turns. Writes an upper bound of the
-/// accelerations' excess; returns false where this is too rough.
+/// three points is smaller than its second difference by the angle that the path turns. Returns an upper bound of the
+/// accelerations' excess, and none where this is too rough.
 template <int N>
-inline bool smooth_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, double b1, double b2,
-                          const AxisBounds<N>& limit, Excess& excess) {
+inline std::optional<Excess> smooth_excess(const CellEnds<N>& ends, const CellLaw& p, const AxisBounds<N>& limit) {
+  const Station<N>&l = ends.left, &r = ends.right;
+  const double h = ends.length(), b1 = ends.b1, b2 = ends.b2;
   const LawState middle = p.at(0.5 * p.duration);
   const double a2 = p.a + p.duration * p.j, b = middle.v * middle.v, off = middle.s - 0.5 * h, w = 1 / h;
   // The cubic of h'' and the quintic of h' between the stations, at s = h/2 and from there.
@@ -84,36 +94,37 @@ inline bool smooth_excess(const Station<N>& l, const Station<N>& r, double h, co
   const Lanes<N> f = (b * (c + off * slope) + middle.a * (t + off * c)) * limit.inverse_acceleration,
                  fl = (b1 * l.d2 + p.a * l.d1) * limit.inverse_acceleration,
                  fr = (b2 * r.d2 + a2 * r.d1) * limit.inverse_acceleration;
-  const Lanes<N> ends = larger(magnitude(fl), magnitude(fr)), second_difference = fl + fr - 2 * f,
+  const Lanes<N> outer = larger(magnitude(fl), magnitude(fr)), second_difference = fl + fr - 2 * f,
                  size = magnitude(second_difference), tilt = 0.5 * magnitude(fr - fl);
   // A parabola with its vertex inside the cell exceeds f by tilt²/(2 size): this bound needs no division.
-  const Lanes<N> peak = larger(ends, magnitude(f));
+  const Lanes<N> peak = larger(outer, magnitude(f));
   double most = largest(peak + smaller(0.125 * size, 0.5 * tilt) + 0.02 * size), bent = largest(size);
   if (most > 1 + 1e-9 || bent >= 1e-3) {
     most = bent = 0;
     for (std::size_t k = 0; k < N; ++k) {
-      if (ends[k] < 0.98) continue;
+      if (outer[k] < 0.98) continue;
       const double vertex = tilt[k] < size[k] ? std::abs(f[k] - 0.5 * tilt[k] * tilt[k] / second_difference[k]) : 0;
       most = std::max(most, std::max(peak[k], vertex) + 0.02 * size[k]);
       bent = std::max(bent, size[k]);
     }
   }
-  excess = {most - 1, -1};
   // The path turns too much to be expanded about s = h/2, or v² is too curved for the reserve of 2 %.
   bool smooth = bent < 1e-3 && std::abs(off) < 0.01 * h && std::abs(b1 - 2 * b + b2) < 1e-3 * b;
   if (std::max(b1, b2) > 0.97 * limit.slowest2) {
     const Lanes<N> fastest = larger(l.d1 * l.d1 * b1, r.d1 * r.d1 * b2);
     for (std::size_t k = 0; k < N; ++k) smooth = smooth && fastest[k] < 0.97 * limit.velocity2[k];
   }
-  return smooth && (most <= 1 + 1e-9 || most > 1 + 1e-7);
+  if (!smooth || (most > 1 + 1e-9 && !(most > 1 + 1e-7))) return std::nullopt;
+  return Excess{most - 1, -1};
 }
 
-/// Returns the peaks over a cell from samples of the law on the reconstructed path.
+/// Returns the excess over a cell from samples of the law on the reconstructed path. `feed` is the largest speed, mm/s.
 template <int N>
-Excess cell_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, const GridCell& cell,
-                   const AxisBounds<N>& limit, double feed) {
+Excess cell_excess(const CellEnds<N>& ends, const CellLaw& p, const GridCell& cell, const AxisBounds<N>& limit,
+                   double feed) {
   constexpr std::size_t last = 4;
-  const cell_law_detail::Between<N> path{l, r, h};
+  const double h = ends.length();
+  const cell_law_detail::Between<N> path{ends.left, ends.right, h};
   std::array<std::array<double, last + 1>, 2 * N> value{};
   double fastest = 0;
   for (std::size_t i = 0; i <= last; ++i) {

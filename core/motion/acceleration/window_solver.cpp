@@ -44,7 +44,7 @@ std::size_t WindowSolver<N>::border() const {
 template <int N>
 std::size_t WindowSolver<N>::solve(std::size_t first, std::size_t last, double entry, ProgressScope& progress) {
   progress.part(0, 0.2);
-  grid_.build(path_, first, last, feed_, machine_, options_.grid, progress);
+  grid_.build(path_, first, last, {machine_, feed_}, options_.grid, progress);
   progress.half_of_rest();
   solve_all(entry, progress);
   std::size_t rounds = 1;
@@ -111,12 +111,11 @@ template <int N>
 template <int N>
 void WindowSolver<N>::check_cell(std::size_t c) {
   const GridCell& cell = grid_.cells[c];
-  const Station<N>&l = grid_.stations[cell.station], &r = (&l)[1];
-  const double h = r.s - l.s;
+  const CellEnds<N> ends{grid_.left(c), grid_.right(c), chain_.node(c), chain_.node(c + 1)};
   excess_[c] = {-1, -1};
-  if (cell.straight || !(h > 0)) return;
-  if (!cell.regular() || !smooth_excess<N>(l, r, h, laws_[c], chain_.node(c), chain_.node(c + 1), limit_, excess_[c]))
-    excess_[c] = cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
+  if (cell.straight || !(ends.length() > 0)) return;
+  const std::optional<Excess> smooth = cell.regular() ? smooth_excess<N>(ends, laws_[c], limit_) : std::nullopt;
+  excess_[c] = smooth ? *smooth : cell_excess<N>(ends, laws_[c], cell, limit_, feed_[cell.segment]);
 }
 
 /// Computes the speeds of all cells and their laws, block by block: reading the cells once more costs as much as the
@@ -200,7 +199,7 @@ void WindowSolver<N>::write(std::size_t cells, LawWriter& law, ProgressScope& pr
     const double s1 = follows ? ends_[c - 1] : 0, s2 = ends_[c], b1 = chain_.node(c), b2 = chain_.node(c + 1);
     cruises = !cell.straight && b1 == b2 && b1 == chain_.middle(c);
     if (cell.straight)
-      law.straight(cell.segment, s1, s2, b1, b2, chain_.acceleration(c), chain_.cap(c));
+      law.straight(cell.segment, {s1, b1}, {s2, b2}, chain_.acceleration(c), chain_.cap(c));
     else if (cruises && cruised && s2 > s1)
       law.extend(cell.segment, s2);
     else if (s2 > s1)

@@ -231,8 +231,8 @@ class Layer {
 }  // namespace
 
 template <int N>
-void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
-                    const Machine& machine, const GridOptions& options, ProgressScope& progress) {
+void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last, const LaneLimits& limits,
+                    const GridOptions& options, ProgressScope& progress) {
   stations.clear();
   cells.clear();
   section_length = 0;
@@ -249,7 +249,7 @@ void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last
       stations.push_back(path.at(i, path[i].curve().begin()));
       stations.push_back(path.at(i, path[i].curve().end()));
     } else {
-      Layer<N>(*this, path, static_cast<std::uint32_t>(i), machine, feed[i], options).build();
+      Layer<N>(*this, path, static_cast<std::uint32_t>(i), limits.machine, limits.feed[i], options).build();
     }
     if (i == first) grade_end(path, true);  // the first cells are graded while few cells stand behind them
   }

@@ -29,6 +29,12 @@ struct GridCell {
   bool regular() const { return !(straight | cusp_left | cusp_right | any_way); }
 };
 
+/// Limits of a motion along a path. Both have to outlive the object.
+struct LaneLimits {
+  const Machine& machine;           ///< limits of the lanes
+  const std::vector<double>& feed;  ///< largest speed along the path per segment, mm/s
+};
+
 /// Limits of the width of cells.
 struct GridOptions {
   double angle = 0.004;  ///< largest turn of a cell, rad
@@ -61,8 +67,8 @@ class Grid {
   }
   /// Builds the stations for the path segments [first, last). The first and the last cell are halved towards the rest
   /// at the section's ends, where the speed changes by more than its value. O(cells).
-  void build(const LanePath<N>& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
-             const Machine& machine, const GridOptions& options, ProgressScope& progress);
+  void build(const LanePath<N>& path, std::size_t first, std::size_t last, const LaneLimits& limits,
+             const GridOptions& options, ProgressScope& progress);
   /// Becomes the cells [first, last) of another grid. O(last − first).
   void slice(const Grid& of, std::size_t first, std::size_t last);
   /// Removes all cells but [0, last).

@@ -7,6 +7,7 @@
 #include "core/base/progress_scope.hpp"
 #include "core/geometry/path/rough_shape.hpp"
 #include "core/motion/grid/sections.hpp"
+#include "core/motion/law/repeated_law.hpp"
 
 namespace bahnwerk {
 
@@ -34,12 +35,11 @@ class SectionRepeats {
 };
 
 /// Plans section by section as for_each_section() does, but each distinct section once. plan(first segment, one past
-/// the last, its part of the progress) appends to `result` and returns its work; `repeat` receives
-/// the arguments of repeat_law() (core/motion/law/repeated_law.hpp) for a section that repeats an earlier one, which
-/// counts with as many cells and as much work. Returns the sum of the work.
-template <class Result, class Plan, class Repeat>
+/// the last, its part of the progress) appends to `result` and returns its work; a section that repeats an earlier one
+/// gets a copy of its law and counts with as many cells and as much work. Returns the sum of the work.
+template <class Result, class Plan>
 double for_each_section_once(const PathTask& task, const Sections& sections, Progress progress, Result& result,
-                             Plan&& plan, Repeat&& repeat) {
+                             Plan&& plan) {
   ProgressScope stage_progress(progress, "planning");
   SectionRepeats repeats(task, sections, stage_progress);
   struct Before {  // sums before a section, and at the end
@@ -57,7 +57,8 @@ double for_each_section_once(const PathTask& task, const Sections& sections, Pro
       work += plan(first, last, part);
     } else {
       const Before &a = before[source], &b = before[source + 1];
-      repeat(a.pieces, b.pieces, task.path.tool(), sections.begin[source], first, last - first, stage_progress);
+      repeat_law(result.law, task.path.tool(), {a.pieces, b.pieces, sections.begin[source], first, last - first},
+                 stage_progress);
       result.cells += b.cells - a.cells;
       work += b.work - a.work;
     }

@@ -80,7 +80,7 @@ double JerkSectionPlanner<N, M>::steepest(const Station<N>& at, double b) const 
 template <int N, int M>
 void JerkSectionPlanner<N, M>::rough(ProgressScope& progress) {
   caps(cap_, progress);
-  rough_profile<N>(grid_, feed_, machine_, options_.path, cap_, rough_, progress);
+  rough_profile<N>(grid_, {machine_, feed_}, options_.path, cap_, rough_, progress);
 }
 
 template <int N, int M>

@@ -18,6 +18,13 @@ struct JerkNode {
   double b = 0, a = 0;
 };
 
+/// State of a law at a moving node, with its speed: v = √b (mm/s) and w = 1/(2v), the derivative of v by b. L is a
+/// number, or a vector of one number per node.
+template <class L>
+struct MovingNode {
+  L b, a, v, w;
+};
+
 /// Duration (s) and jerk (mm/s³) at both ends, with their gradients by (b₁, a₁, b₂, a₂). L is a number, or a vector of
 /// one number per cell.
 template <class L>
@@ -32,9 +39,10 @@ namespace jerk_cell_detail {
 constexpr double min_root = 0.01;
 }  // namespace jerk_cell_detail
 
-/// Law between two moving nodes: v are speeds, w = 1/(2v) their derivatives by b, a accelerations, h the length.
+/// Returns the law between two moving nodes at the distance h, mm.
 template <class L>
-inline JerkCellOf<L> jerk_cell(L v1, L w1, L a1, L v2, L w2, L a2, L h) {
+inline JerkCellOf<L> jerk_cell(const MovingNode<L>& left, const MovingNode<L>& right, L h) {
+  const L v1 = left.v, w1 = left.w, a1 = left.a, v2 = right.v, w2 = right.w, a2 = right.a;
   const L mean = 0.5 * (v1 + v2), square = mean * mean;
   const L R = root(larger(square + (1.0 / 3) * h * (a1 - a2), jerk_cell_detail::min_root * square));
   JerkCellOf<L> c;
@@ -48,10 +56,6 @@ inline JerkCellOf<L> jerk_cell(L v1, L w1, L a1, L v2, L w2, L a2, L h) {
   c.dj1 = {(t1 * Tv - u6) * w1, t1 * Ta - 4.0 * u, (t1 * Tv + u6) * w2, -t1 * Ta - 2.0 * u};
   c.dj2 = {(t2 * Tv + u6) * w1, t2 * Ta + 2.0 * u, (t2 * Tv - u6) * w2, -t2 * Ta + 4.0 * u};
   return c;
-}
-inline JerkCell jerk_cell(JerkNode l, JerkNode r, double h) {
-  const double v1 = std::sqrt(l.b), v2 = std::sqrt(r.b);
-  return jerk_cell(v1, 0.5 / v1, l.a, v2, 0.5 / v2, r.a, h);
 }
 
 /// Law between rest and a node with speed² b: constant jerk, T = 3h/v, |a| = 2v²/(3h), j = 2v³/(9h²). `a` of the moving

@@ -44,12 +44,13 @@ CellPeaks<M> JerkSectionPlanner<N, M>::peaks_of(std::size_t c, bool exact) const
   const JerkStation<M>&l = problem_.stations[problem_.cells[c].station],
         &r = problem_.stations[problem_.cells[c].station + 1];
   const std::size_t segment = grid_.cells[c].segment;
-  if (grid_.cells[c].straight) return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double) { return l; });
+  const auto peaks = [&](auto&& at) { return cell_peaks(law, CellPlaces{l, r, h, at}, limit, 1 / (f * f)); };
+  if (grid_.cells[c].straight) return peaks([&](double) { return l; });
   if (exact)
-    return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
+    return peaks([&](double s) {
       return rows_of(path_.derivatives(segment, path_[segment].parameter_at(looked_at(segment, grid_.left(c).s + s))));
     });
-  return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return shape_[c].at(s); });
+  return peaks([&](double s) { return shape_[c].at(s); });
 }
 
 template <int N, int M>

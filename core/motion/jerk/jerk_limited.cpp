@@ -6,7 +6,6 @@
 #include "core/base/progress_scope.hpp"
 #include "core/motion/grid/section_repeats.hpp"
 #include "core/motion/jerk/section.hpp"
-#include "core/motion/law/repeated_law.hpp"
 
 namespace bahnwerk {
 
@@ -20,14 +19,12 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
   const Sections sections = find_sections(task, options.corner_angle, stage_progress);
   JerkLimitedResult result;
   JerkSectionPlanner<N, M> planner(path, lanes, options, task.feeds, sections);
-  const double work = for_each_section_once(
-      task, sections, progress, result,
-      [&](std::size_t first, std::size_t last, Progress part) {
-        const double before = planner.work();
-        planner.plan(first, last, part, result);
-        return planner.work() - before;
-      },
-      [&](auto&&... what) { repeat_law(result.law, what...); });
+  const auto plan_section = [&](std::size_t first, std::size_t last, Progress part) {
+    const double before = planner.work();
+    planner.plan(first, last, part, result);
+    return planner.work() - before;
+  };
+  const double work = for_each_section_once(task, sections, progress, result, plan_section);
   if (result.cells > 0)
     result.iterations = static_cast<std::size_t>(std::lround(work / static_cast<double>(result.cells)));
   return result;

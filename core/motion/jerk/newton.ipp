@@ -33,7 +33,7 @@ void JerkSolver<M>::move_nodes() {
 template <int M>
 void JerkSolver<M>::evaluate(std::size_t g, const Ends& x) {
   Cells& cells = cells_[g];
-  cells.law = jerk_cell(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, cells.h);
+  cells.law = jerk_cell(x.outer, x.inner, cells.h);
   for (std::size_t half = 0; g == 0 && half < lane_count; ++half)
     if (rests(half)) set(cells.law, half, rest_cell(b_[1][half], cells.h[half], 1));
   if (!missing(g, 1)) return;
@@ -45,8 +45,8 @@ void JerkSolver<M>::evaluate(std::size_t g, const Ends& x) {
 template <int M>
 NodeBlock<Lane2> JerkSolver<M>::assemble_nodes(std::size_t i, JerkTotals<Lane2>& totals) {
   Nodes& nodes = nodes_[i];
-  const Lane2 b = b_[i], a = a_[i], w = w_[i], mu = target_ * nodes.weight;
-  const Lane2 primal = steps_.node_primal[i], dual = steps_.node_dual[i];
+  const Lane2 b = b_[i], a = a_[i], w = w_[i];
+  const JerkTarget<Lane2> target{target_ * nodes.weight, steps_.node_primal[i], steps_.node_dual[i]};
   NodeBlock<Lane2> block;
   // bb is the convex part of the duration's second derivative, 3 (h₁ + h₂)/(8 v⁵).
   const Lane2 w2 = w * w;
@@ -54,11 +54,11 @@ NodeBlock<Lane2> JerkSolver<M>::assemble_nodes(std::size_t i, JerkTotals<Lane2>&
   for (std::size_t k = 0; k < 2; ++k) {
     Lane2 weight, y;
     const Lane2 p = nodes.cap[k], q = p * nodes.slope[k];
-    nodes.capped[k].move(primal, dual);
-    totals.count(nodes.capped[k], nodes.capped[k].weigh(1.0 - (p * b + q * a), mu, weight, y));
+    nodes.capped[k].move(target.primal, target.dual);
+    totals.count(nodes.capped[k], nodes.capped[k].weigh(1.0 - (p * b + q * a), target.mu, weight, y));
     block.add(weight, p, q, y);
   }
-  nodes.rows.assemble(b, a, mu, primal, dual, block, totals);
+  nodes.rows.assemble(b, a, target, block, totals);
   return block;
 }
 
@@ -68,15 +68,15 @@ CellMatrix<Lane2> JerkSolver<M>::assemble_cells(std::size_t g, std::size_t& next
   const Ends x = ends(g);
   evaluate(g, x);
   const JerkCellOf<Lane2>& law = cells.law;
-  const Lane2 mu = target_ * cells.weight, primal = steps_.primal[g], dual = steps_.dual[g];
-  auto K = CellMatrix<Lane2>::of_left(law.dj1,
-                                      cells.end[0].assemble(x.b1, x.v1, x.w1, x.a1, law.j1, mu, primal, dual, totals),
+  JerkTarget<Lane2> target{target_ * cells.weight, steps_.primal[g], steps_.dual[g]};
+  auto K = CellMatrix<Lane2>::of_left(law.dj1, cells.end[0].assemble(x.outer, law.j1, target, totals),
                                       {-law.dT[0], -law.dT[1], -law.dT[2], -law.dT[3]});
-  K.add_right(law.dj2, cells.end[1].assemble(x.b2, x.v2, x.w2, x.a2, law.j2, mu, primal, dual, totals));
+  K.add_right(law.dj2, cells.end[1].assemble(x.inner, law.j2, target, totals));
   if (next_middle < middles_.size() && middles_[next_middle].cells == g) {
     Middles& set = middles_[next_middle++];
-    const JerkMiddle<Lane2> m = jerk_middle(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, law);
-    K.add_both(m.dg, set.rows.assemble(x.b1 + x.b2, m, target_ * set.weight, primal, dual, totals));
+    const JerkMiddle<Lane2> m = jerk_middle(x.outer, x.inner, law);
+    target.mu = target_ * set.weight;
+    K.add_both(m.dg, set.rows.assemble(x.outer.b + x.inner.b, m, target, totals));
   }
   return K;
 }
@@ -85,8 +85,9 @@ template <int M>
 NodeBlock<Lane2> JerkSolver<M>::assemble_joint(Joint& joint, JerkTotals<double>& totals) {
   const std::size_t i = joint.node, half = joint.half;
   NodeBlock<double> block;
-  joint.rows.assemble(b_[i][half], a_[i][half], target_ * nodes_[i].weight[half], steps_.node_primal[i][half],
-                      steps_.node_dual[i][half], block, totals);
+  const JerkTarget<double> target{target_ * nodes_[i].weight[half], steps_.node_primal[i][half],
+                                  steps_.node_dual[i][half]};
+  joint.rows.assemble(b_[i][half], a_[i][half], target, block, totals);
   NodeBlock<Lane2> blocks;
   set(blocks, half, block);
   return blocks;
@@ -155,7 +156,7 @@ void JerkSolver<M>::assemble() {
 }
 
 template <int M>
-void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Lane2& min_primal, Lane2& max_dual) {
+JerkReach<Lane2> JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle) {
   Cells& cells = cells_[g];
   const Ends x = ends(g);
   const Lane2 b1 = db_[g], a1 = da_[g], b2 = db_[g + 1], a2 = da_[g + 1];
@@ -163,43 +164,42 @@ void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Lane2&
   predicted_decrease_ += change[0] + change[1];
   // The step is limited so that no cell loses more than half of its duration, or of the root in its law (cell.hpp):
   // beyond that the linearisation is useless.
-  Lane2 primal = -2.0 * magnitude(change) / cells.law.T, dual{};
-  const Lane2 mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
-  const Lane2 now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);
+  JerkReach<Lane2> reach{-2.0 * magnitude(change) / cells.law.T, {}};
+  const Lane2 mean = 0.5 * (x.outer.v + x.inner.v), h3 = (1.0 / 3) * cells.h;
+  const Lane2 now = mean * mean + h3 * (x.outer.a - x.inner.a),
+              fall = -mean * (x.outer.w * b1 + x.inner.w * b2) - h3 * (a1 - a2);
   Lane2 loss = 2.0 * fall / larger(now, jerk_cell_detail::min_root * mean * mean);
   for (std::size_t half = 0; half < lane_count; ++half)
     if ((g == 0 && rests(half)) || missing(g, half)) loss[half] = 0;
-  primal = smaller(primal, -loss);
-  cells.end[0].step(x.v1, x.w1, x.a1, along(cells.law.dj1, b1, a1, b2, a2), b1, a1, mu, primal, dual);
-  cells.end[1].step(x.v2, x.w2, x.a2, along(cells.law.dj2, b1, a1, b2, a2), b2, a2, mu, primal, dual);
+  reach.primal = smaller(reach.primal, -loss);
+  cells.end[0].step(x.outer, b1, a1, along(cells.law.dj1, b1, a1, b2, a2), mu, reach);
+  cells.end[1].step(x.inner, b2, a2, along(cells.law.dj2, b1, a1, b2, a2), mu, reach);
   if (next_middle > 0 && middles_[next_middle - 1].cells == g) {
     Middles& set = middles_[--next_middle];
-    set.rows.step(b1 + b2, along(set.rows.gradient, b1, a1, b2, a2), target_ * set.weight, primal, dual);
+    set.rows.step(b1 + b2, along(set.rows.gradient, b1, a1, b2, a2), target_ * set.weight, reach);
   }
-  min_primal = primal;
-  max_dual = dual;
+  return reach;
 }
 
 template <int M>
-void JerkSolver<M>::direct_nodes(std::size_t i, std::size_t& next_joint, Lane2& min_primal, Lane2& max_dual) {
+JerkReach<Lane2> JerkSolver<M>::direct_nodes(std::size_t i, std::size_t& next_joint) {
   Nodes& nodes = nodes_[i];
-  Lane2 primal{}, dual{};  // sums in registers: a reference may be to what rows store
+  JerkReach<Lane2> reach;
   const Lane2 db = db_[i], da = da_[i], w = w_[i], mu = target_ * nodes.weight;
-  for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].step(nodes.cap[k] * (db + nodes.slope[k] * da), mu, primal, dual);
-  nodes.rows.step(db, da, mu, primal, dual);
+  for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].step(nodes.cap[k] * (db + nodes.slope[k] * da), mu, reach);
+  nodes.rows.step(db, da, mu, reach);
   // Speeds stay positive, and no node runs away on the strength of its linearisation.
   const Lane2 growth = 4.0 * w * w * db;
-  primal = smaller(primal, smaller(growth * (1 / 0.8), growth * (-1 / 1.5)));
+  reach.primal = smaller(reach.primal, smaller(growth * (1 / 0.8), growth * (-1 / 1.5)));
   for (; next_joint > 0 && joints_[next_joint - 1].node == i; --next_joint) {
     Joint& joint = joints_[next_joint - 1];
     const std::size_t half = joint.half;
-    double joint_primal = primal[half], joint_dual = dual[half];
-    joint.rows.step(db[half], da[half], mu[half], joint_primal, joint_dual);
-    primal[half] = joint_primal;
-    dual[half] = joint_dual;
+    JerkReach<double> at_joint{reach.primal[half], reach.dual[half]};
+    joint.rows.step(db[half], da[half], mu[half], at_joint);
+    reach.primal[half] = at_joint.primal;
+    reach.dual[half] = at_joint.dual;
   }
-  min_primal = primal;
-  max_dual = dual;
+  return reach;
 }
 
 template <int M>
@@ -209,9 +209,8 @@ void JerkSolver<M>::direction() {
   db_[groups_] = Lane2{middle_.b, odd() ? 0 : middle_.b};
   da_[groups_] = Lane2{middle_.a, odd() ? 0 : -middle_.a};
   // A node's rows count for the cell to the right of it: in the second half that is the outer one.
-  Lane2 primal, dual;
-  direct_nodes(groups_, next_joint, primal, dual);
-  Lane2 inner_primal = all(primal[0]), inner_dual = all(dual[0]);
+  const JerkReach<Lane2> middle = direct_nodes(groups_, next_joint);
+  JerkReach<Lane2> inner{all(middle.primal[0]), all(middle.dual[0])};
   for (std::size_t g = groups_; g-- > 0;) {
     (*progress_)(n_ - lane_count * (g + 1) + odd(), n_);
     if (g > 0) elimination_[g].back(db_[g + 1], da_[g + 1], db_[g], da_[g]);
@@ -219,17 +218,15 @@ void JerkSolver<M>::direction() {
       db_[g][1] = middle_.b;
       da_[g][1] = -middle_.a;
     }
-    Lane2 node_primal, node_dual;
-    direct_nodes(g, next_joint, node_primal, node_dual);
-    direct_cells(g, next_middle, primal, dual);
-    steps_.primal[g] = -smaller(primal, Lane2{node_primal[0], inner_primal[1]});
-    steps_.dual[g] = larger(dual, Lane2{node_dual[0], inner_dual[1]});
+    JerkReach<Lane2> node = direct_nodes(g, next_joint);
+    const JerkReach<Lane2> cell = direct_cells(g, next_middle);
+    steps_.primal[g] = -smaller(cell.primal, Lane2{node.primal[0], inner.primal[1]});
+    steps_.dual[g] = larger(cell.dual, Lane2{node.dual[0], inner.dual[1]});
     if (missing(g, 1)) {  // the node in the middle again
-      node_primal = smaller(node_primal, inner_primal);
-      node_dual = larger(node_dual, inner_dual);
+      node.primal = smaller(node.primal, inner.primal);
+      node.dual = larger(node.dual, inner.dual);
     }
-    inner_primal = node_primal;
-    inner_dual = node_dual;
+    inner = node;
   }
 }
 

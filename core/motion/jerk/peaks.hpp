@@ -84,15 +84,25 @@ inline double peak_speed2(const LawPiece& law) {
   return most * most;
 }
 
-/// `path(s)` returns the derivatives at s ∈ (0, h) of the cell; `left` and `right` are those at its ends.
+/// The path over a cell of `length` mm: its derivatives at both ends, and between them as `at(s)`, s ∈ (0, length).
 template <int M, class PathAt>
-CellPeaks<M> cell_peaks(const LawPiece& law, double h, const RowLimits<M>& limit, double inverse_feed2,
-                        const JerkStation<M>& left, const JerkStation<M>& right, PathAt&& path) {
+struct CellPlaces {
+  const JerkStation<M>&left, &right;
+  double length;
+  PathAt at;
+};
+template <int M, class PathAt>
+CellPlaces(const JerkStation<M>&, const JerkStation<M>&, double, PathAt) -> CellPlaces<M, PathAt>;
+
+/// `inverse_feed2` is 1/v² of the largest speed along the path.
+template <int M, class PathAt>
+CellPeaks<M> cell_peaks(const LawPiece& law, const CellPlaces<M, PathAt>& path, const RowLimits<M>& limit,
+                        double inverse_feed2) {
   std::array<Lanes<M>, 5> velocity, acceleration, jerk;
   for (std::size_t i = 0; i < 5; ++i) {
     const LawState x = law.at(law.duration * static_cast<double>(i) * 0.25);
     const double b = x.v * x.v;
-    const JerkStation<M> d = i == 0 ? left : i == 4 ? right : path(std::clamp(x.s, 0.0, h));
+    const JerkStation<M> d = i == 0 ? path.left : i == 4 ? path.right : path.at(std::clamp(x.s, 0.0, path.length));
     velocity[i] = b * d.d1 * d.d1 * lanes(limit.inverse_velocity2);
     acceleration[i] = (b * d.d2 + x.a * d.d1) * lanes(limit.inverse_acceleration);
     jerk[i] = ((b * x.v) * d.d3 + (3 * x.v * x.a) * d.d2 + x.j * d.d1) * lanes(limit.inverse_jerk);

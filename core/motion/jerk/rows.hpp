@@ -57,6 +57,20 @@ inline void set(JerkCellOf<Lane2>& laws, std::size_t lane, const JerkCell& law) 
   }
 }
 
+/// What a step of the rows of one cell or node assembles with: the target of the rows' complementarity, and the parts
+/// of the last step that slacks and multipliers take.
+template <class L>
+struct JerkTarget {
+  L mu, primal, dual;
+};
+
+/// How far a step of rows reaches: the first slack becomes zero at −1/primal of it, or later; the first multiplier at
+/// 1/dual of it, or later.
+template <class L>
+struct JerkReach {
+  L primal{}, dual{};
+};
+
 /// A row g ≤ share with slack s, multiplier z and step d of the slack.
 template <class L>
 struct JerkSide {
@@ -84,14 +98,13 @@ struct JerkSide {
     y = is * (mu - z * d);
     return gap;
   }
-  /// Computes the step for a change of g by `change`. `dual` becomes at least 1/(the part of the step at which z
-  /// reaches zero), `primal` at most the negative of that for s.
-  void step(L change, L mu, L& primal, L& dual) {
+  /// Computes the step for a change of g by `change`, and reduces `reach` to what it allows.
+  void step(L change, L mu, JerkReach<L>& reach) {
     d = d - change;
     const L f = d * (z * i);
-    primal = smaller(primal, f);
+    reach.primal = smaller(reach.primal, f);
     i = 1.0 + f - mu * i;
-    dual = larger(dual, i);
+    reach.dual = larger(reach.dual, i);
   }
 };
 
@@ -125,9 +138,9 @@ struct JerkRow {
     w = w + w2;
     y = y - y2;
   }
-  void step(L change, L mu, L& primal, L& dual) {
-    up.step(change, mu, primal, dual);
-    down.step(-change, mu, primal, dual);
+  void step(L change, L mu, JerkReach<L>& reach) {
+    up.step(change, mu, reach);
+    down.step(-change, mu, reach);
   }
 };
 
@@ -140,16 +153,16 @@ struct JerkNodeRows {
   void begin(L b, L a, L mu, L least) {
     for (std::size_t k = 0; k < M; ++k) rows[k].begin(p[k] * b + q[k] * a, share[k], mu, least);
   }
-  void assemble(L b, L a, L mu, L primal, L dual, NodeBlock<L>& block, JerkTotals<L>& totals) {
+  void assemble(L b, L a, const JerkTarget<L>& target, NodeBlock<L>& block, JerkTotals<L>& totals) {
     for (std::size_t k = 0; k < M; ++k) {
       L w, y;
-      rows[k].move(primal, dual);
-      rows[k].weigh(p[k] * b + q[k] * a, share[k], mu, w, y, totals);
+      rows[k].move(target.primal, target.dual);
+      rows[k].weigh(p[k] * b + q[k] * a, share[k], target.mu, w, y, totals);
       block.add(w, p[k], q[k], y);
     }
   }
-  void step(L db, L da, L mu, L& primal, L& dual) {
-    for (std::size_t k = 0; k < M; ++k) rows[k].step(p[k] * db + q[k] * da, mu, primal, dual);
+  void step(L db, L da, L mu, JerkReach<L>& reach) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(p[k] * db + q[k] * da, mu, reach);
   }
 };
 
@@ -159,30 +172,34 @@ struct JerkEndRows {
   std::array<L, M> d1, d2, d3, share;  ///< h′/J, 3 h″/J, h‴/J
   std::array<JerkRow<L>, M> rows;
 
-  /// Returns the value; by_b() and by_a() return its gradients by b and a of the node, and d1 is the gradient by j.
-  L value(std::size_t k, L b, L v, L a, L j) const { return v * (d3[k] * b + d2[k] * a) + d1[k] * j; }
-  L by_b(std::size_t k, L v, L w, L a) const { return d3[k] * (1.5 * v) + d2[k] * (a * w); }
-  L by_a(std::size_t k, L v) const { return d2[k] * v; }
-
-  void begin(L b, L v, L a, L j, L mu, L least) {
-    for (std::size_t k = 0; k < M; ++k) rows[k].begin(value(k, b, v, a, j), share[k], mu, least);
+  /// Returns the value at a node for the jerk j; by_b() and by_a() return its gradients by b and a of the node, and d1
+  /// is the gradient by j.
+  L value(std::size_t k, const MovingNode<L>& at, L j) const {
+    return at.v * (d3[k] * at.b + d2[k] * at.a) + d1[k] * j;
   }
-  RowSums<L> assemble(L b, L v, L w, L a, L j, L mu, L primal, L dual, JerkTotals<L>& totals) {
+  L by_b(std::size_t k, const MovingNode<L>& at) const { return d3[k] * (1.5 * at.v) + d2[k] * (at.a * at.w); }
+  L by_a(std::size_t k, const MovingNode<L>& at) const { return d2[k] * at.v; }
+
+  void begin(const MovingNode<L>& at, L j, L mu, L least) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].begin(value(k, at, j), share[k], mu, least);
+  }
+  RowSums<L> assemble(const MovingNode<L>& at, L j, const JerkTarget<L>& target, JerkTotals<L>& totals) {
     RowSums<L> sums;
     for (std::size_t k = 0; k < M; ++k) {
       L weight, y;
-      rows[k].move(primal, dual);
-      rows[k].weigh(value(k, b, v, a, j), share[k], mu, weight, y, totals);
+      rows[k].move(target.primal, target.dual);
+      rows[k].weigh(value(k, at, j), share[k], target.mu, weight, y, totals);
       if (k == 0)
-        sums = RowSums<L>::of(weight, y, d1[k], by_b(k, v, w, a), by_a(k, v));
+        sums = RowSums<L>::of(weight, y, d1[k], by_b(k, at), by_a(k, at));
       else
-        sums.add(weight, y, d1[k], by_b(k, v, w, a), by_a(k, v));
+        sums.add(weight, y, d1[k], by_b(k, at), by_a(k, at));
     }
     return sums;
   }
-  void step(L v, L w, L a, L dj, L db, L da, L mu, L& primal, L& dual) {
-    const L by_d3 = 1.5 * v * db, by_d2 = a * w * db + v * da;
-    for (std::size_t k = 0; k < M; ++k) rows[k].step(d1[k] * dj + d2[k] * by_d2 + d3[k] * by_d3, mu, primal, dual);
+  /// `db`, `da` and `dj` are the changes of b, a and j by the step.
+  void step(const MovingNode<L>& at, L db, L da, L dj, L mu, JerkReach<L>& reach) {
+    const L by_d3 = 1.5 * at.v * db, by_d2 = at.a * at.w * db + at.v * da;
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(d1[k] * dj + d2[k] * by_d2 + d3[k] * by_d3, mu, reach);
   }
 };
 
@@ -193,10 +210,11 @@ struct JerkMiddle {
   std::array<L, 4> dg;
 };
 template <class L>
-inline JerkMiddle<L> jerk_middle(L v1, L w1, L a1, L v2, L w2, L a2, const JerkCellOf<L>& cell) {
-  const L u = 1.0 / cell.T, mean = (v2 - v1) * u, gT = -3.0 * mean * u, u3 = 3.0 * u;
-  return {3.0 * mean - a1 - a2,
-          {gT * cell.dT[0] - u3 * w1, gT * cell.dT[1] - 1.0, gT * cell.dT[2] + u3 * w2, gT * cell.dT[3] - 1.0}};
+inline JerkMiddle<L> jerk_middle(const MovingNode<L>& left, const MovingNode<L>& right, const JerkCellOf<L>& cell) {
+  const L u = 1.0 / cell.T, mean = (right.v - left.v) * u, gT = -3.0 * mean * u, u3 = 3.0 * u;
+  return {
+      3.0 * mean - left.a - right.a,
+      {gT * cell.dT[0] - u3 * left.w, gT * cell.dT[1] - 1.0, gT * cell.dT[2] + u3 * right.w, gT * cell.dT[3] - 1.0}};
 }
 
 /// M rows |d₂ (b₁ + b₂) + d₁ g| ≤ share, g the middle coefficient.
@@ -209,13 +227,13 @@ struct JerkMiddleRows {
   void begin(L b, L g, L mu, L least) {
     for (std::size_t k = 0; k < M; ++k) rows[k].begin(d2[k] * b + d1[k] * g, share[k], mu, least);
   }
-  RowSums<L> assemble(L b, const JerkMiddle<L>& m, L mu, L primal, L dual, JerkTotals<L>& totals) {
+  RowSums<L> assemble(L b, const JerkMiddle<L>& m, const JerkTarget<L>& target, JerkTotals<L>& totals) {
     RowSums<L> sums;
     gradient = m.dg;
     for (std::size_t k = 0; k < M; ++k) {
       L w, y;
-      rows[k].move(primal, dual);
-      rows[k].weigh(d2[k] * b + d1[k] * m.g, share[k], mu, w, y, totals);
+      rows[k].move(target.primal, target.dual);
+      rows[k].weigh(d2[k] * b + d1[k] * m.g, share[k], target.mu, w, y, totals);
       if (k == 0)
         sums = RowSums<L>::of(w, y, d1[k], d2[k]);
       else
@@ -223,8 +241,8 @@ struct JerkMiddleRows {
     }
     return sums;
   }
-  void step(L db, L dg, L mu, L& primal, L& dual) {
-    for (std::size_t k = 0; k < M; ++k) rows[k].step(d2[k] * db + d1[k] * dg, mu, primal, dual);
+  void step(L db, L dg, L mu, JerkReach<L>& reach) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(d2[k] * db + d1[k] * dg, mu, reach);
   }
 };
 

@@ -83,7 +83,7 @@ void JerkSectionPlanner<N, M>::build(std::size_t first, std::size_t last, Progre
   grid.angle = path_.cartesian() ? options_.angle : kinematic_angle * options_.angle;
   grid.hermite = 1e-5;
   progress.half_of_rest();
-  grid_.build(path_, first, last, feed_, machine_, grid, progress);
+  grid_.build(path_, first, last, {machine_, feed_}, grid, progress);
   build_grid(progress);
   soften();
   keep_ = all_cells;

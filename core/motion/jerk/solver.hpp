@@ -89,9 +89,9 @@ class JerkSolver final : InteriorPointProblem {
     Lane2 weight;
     JerkMiddleRows<Lane2, M> rows;
   };
-  /// b, a and speeds of the nodes at the outer and the inner end of two cells.
+  /// The nodes at the outer and the inner end of two cells.
   struct Ends {
-    Lane2 b1, a1, v1, w1, b2, a2, v2, w2;
+    MovingNode<Lane2> outer, inner;
   };
 
   void adopt(const LargeVector<JerkNode>& x);
@@ -113,11 +113,13 @@ class JerkSolver final : InteriorPointProblem {
   /// Returns the step of the node in the middle from the remaining blocks of both halves.
   JerkNode meet(const NodeBlock<Lane2>& blocks) const;
   void assemble();
-  void direct_cells(std::size_t g, std::size_t& next_middle, Lane2& primal, Lane2& dual);
-  void direct_nodes(std::size_t i, std::size_t& next_joint, Lane2& primal, Lane2& dual);
+  JerkReach<Lane2> direct_cells(std::size_t g, std::size_t& next_middle);
+  JerkReach<Lane2> direct_nodes(std::size_t i, std::size_t& next_joint);
   void direction();
 
-  Ends ends(std::size_t g) const { return {b_[g], a_[g], v_[g], w_[g], b_[g + 1], a_[g + 1], v_[g + 1], w_[g + 1]}; }
+  Ends ends(std::size_t g) const {
+    return {{b_[g], a_[g], v_[g], w_[g]}, {b_[g + 1], a_[g + 1], v_[g + 1], w_[g + 1]}};
+  }
   /// Returns whether the section's end at which a half begins is at rest.
   bool rests(std::size_t half) const { return !(b_[0][half] > 0); }
   /// Returns whether the number of cells is odd. The second half then has one cell less than groups_; a cell of

@@ -29,8 +29,8 @@ void JerkSolver<M>::start(double mu) {
     evaluate(g, x);
     Cells& cells = cells_[g];
     const Lane2 T = cells.weight = cells.law.T;
-    cells.end[0].begin(x.b1, x.v1, x.a1, cells.law.j1, mu * T, least);
-    cells.end[1].begin(x.b2, x.v2, x.a2, cells.law.j2, mu * T, least);
+    cells.end[0].begin(x.outer, cells.law.j1, mu * T, least);
+    cells.end[1].begin(x.inner, cells.law.j2, mu * T, least);
     scale_ += 2 * 2 * M * (T[0] + T[1]);
   }
   for (std::size_t i = 0; i <= groups_; ++i) {
@@ -61,8 +61,8 @@ void JerkSolver<M>::start_middles(double mu) {
     const Cells& cells = cells_[set.cells];
     for (std::size_t e = 0; e < lane_count; ++e)
       if (set.weight[e] != no_weight) set.weight[e] = cells.weight[e];
-    const JerkMiddle<Lane2> m = jerk_middle(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, cells.law);
-    set.rows.begin(x.b1 + x.b2, m.g, mu * set.weight, all(std::min(0.1, mu)));
+    const JerkMiddle<Lane2> m = jerk_middle(x.outer, x.inner, cells.law);
+    set.rows.begin(x.outer.b + x.inner.b, m.g, mu * set.weight, all(std::min(0.1, mu)));
     scale_ += 2 * M * (set.weight[0] + set.weight[1]);
   }
 }

@@ -58,36 +58,36 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Limit
 }
 
 template <int N>
-void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
+void rough_profile(const Grid<N>& grid, const LaneLimits& limits, const Limits& path,
                    const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& progress) {
   const std::size_t n = grid.cells.size();
   auto& b = profile.b;
   b.assign(node_cap.begin(), node_cap.end());
   profile.duration.resize(n);
-  const auto limits = [&](const Station<N>& at, std::size_t c) {
-    return path_limits<N>(at, machine, path, feed[grid.cells[c].segment]);
+  const auto limits_at = [&](const Station<N>& at, std::size_t c) {
+    return path_limits<N>(at, limits.machine, path, limits.feed[grid.cells[c].segment]);
   };
   for (std::size_t c = 0; c < n; ++c) {
     progress(c, n);
-    const PathLimits l = limits(grid.left(c), c), r = limits(grid.right(c), c);
+    const PathLimits l = limits_at(grid.left(c), c), r = limits_at(grid.right(c), c);
     if (!grid.cells[c].cusp_left) b[c] = std::min(b[c], l.cap);
     if (!grid.cells[c].cusp_right) b[c + 1] = std::min(b[c + 1], r.cap);
     b[c + 1] = grow(b[c + 1], b[c], grid.length(c), part * l.acceleration, part * l.jerk);
   }
   for (std::size_t c = n; c-- > 0;) {
     progress(n - 1 - c, n);
-    backward(grid, c, limits(grid.right(c), c), profile);
+    backward(grid, c, limits_at(grid.right(c), c), profile);
   }
 }
 
 template <int N>
-std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
-                  RoughProfile& profile) {
+std::size_t brake(const Grid<N>& grid, const LaneLimits& limits, const Limits& path, RoughProfile& profile) {
   std::size_t c = grid.cells.size();
   profile.b[c] = 0;
   while (c-- > 0) {
     const double before = profile.b[c];
-    backward(grid, c, path_limits<N>(grid.right(c), machine, path, feed[grid.cells[c].segment]), profile);
+    const double feed = limits.feed[grid.cells[c].segment];
+    backward(grid, c, path_limits<N>(grid.right(c), limits.machine, path, feed), profile);
     if (profile.b[c] == before) return c;
   }
   return 0;
@@ -149,19 +149,19 @@ template PathLimits path_limits<2>(const Station<2>&, const Machine&, const Limi
 template PathLimits path_limits<3>(const Station<3>&, const Machine&, const Limits&, double);
 template PathLimits path_limits<5>(const Station<5>&, const Machine&, const Limits&, double);
 template PathLimits path_limits<8>(const Station<8>&, const Machine&, const Limits&, double);
-template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const Limits&,
-                               const LargeVector<double>&, RoughProfile&, ProgressScope&);
-template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&,
-                               const LargeVector<double>&, RoughProfile&, ProgressScope&);
-template void rough_profile<5>(const Grid<5>&, const std::vector<double>&, const Machine&, const Limits&,
-                               const LargeVector<double>&, RoughProfile&, ProgressScope&);
-template void rough_profile<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&,
-                               const LargeVector<double>&, RoughProfile&, ProgressScope&);
+template void rough_profile<2>(const Grid<2>&, const LaneLimits&, const Limits&, const LargeVector<double>&,
+                               RoughProfile&, ProgressScope&);
+template void rough_profile<3>(const Grid<3>&, const LaneLimits&, const Limits&, const LargeVector<double>&,
+                               RoughProfile&, ProgressScope&);
+template void rough_profile<5>(const Grid<5>&, const LaneLimits&, const Limits&, const LargeVector<double>&,
+                               RoughProfile&, ProgressScope&);
+template void rough_profile<8>(const Grid<8>&, const LaneLimits&, const Limits&, const LargeVector<double>&,
+                               RoughProfile&, ProgressScope&);
 
-template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
-template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
-template std::size_t brake<5>(const Grid<5>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
-template std::size_t brake<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
+template std::size_t brake<2>(const Grid<2>&, const LaneLimits&, const Limits&, RoughProfile&);
+template std::size_t brake<3>(const Grid<3>&, const LaneLimits&, const Limits&, RoughProfile&);
+template std::size_t brake<5>(const Grid<5>&, const LaneLimits&, const Limits&, RoughProfile&);
+template std::size_t brake<8>(const Grid<8>&, const LaneLimits&, const Limits&, RoughProfile&);
 template void smooth<2>(const Grid<2>&, double, Smoothing, RoughProfile&, ProgressScope&);
 template void smooth<3>(const Grid<3>&, double, Smoothing, RoughProfile&, ProgressScope&);
 template void smooth<5>(const Grid<5>&, double, Smoothing, RoughProfile&, ProgressScope&);

@@ -112,7 +112,7 @@ std::size_t JerkSectionPlanner<N, M>::take_window(std::size_t begin, std::size_t
     keep_ = end - begin;
     next_tail_.clear();
     if (last) return cells;
-    keep_ = brake<N>(grid_, feed_, machine_, options_.path, rough_);
+    keep_ = brake<N>(grid_, {machine_, feed_}, options_.path, rough_);
     double braking = 0;
     for (std::size_t c = keep_; c < end - begin; ++c) braking += rough_.duration[c];
     for (double time = overlap_ * (jerk_times * jerk_time_ + braking_times * braking); keep_ > 0 && time > 0;)

@@ -9,10 +9,11 @@ double length(const Segment& segment) { return segment.travelled(segment.curve()
 
 }  // namespace
 
-void repeat_law(TimeLaw& law, std::size_t from, std::size_t to, const Path& path, std::size_t source, std::size_t copy,
-                std::size_t segments, ProgressScope& progress) {
+void repeat_law(TimeLaw& law, const Path& path, const LawRepetition& repetition, ProgressScope& progress) {
+  const std::size_t from = repetition.from, to = repetition.to, source = repetition.source, copy = repetition.copy;
   double before = 0, now = 0;
-  for (std::size_t i = 0; i < segments; ++i) before += length(path[source + i]), now += length(path[copy + i]);
+  for (std::size_t i = 0; i < repetition.segments; ++i)
+    before += length(path[source + i]), now += length(path[copy + i]);
   const double stretch = now / before;
   law.reserve(to - from);
   std::size_t at = path.size();

@@ -8,11 +8,15 @@
 
 namespace bahnwerk {
 
-/// Appends to the law a copy of its pieces [from, to), which belong to the path's segments from `source` on, for the
-/// segments from `copy` on. Both have equally many segments, with lengths that differ by rounding. The copy is scaled
-/// by the ratio of both sections' lengths; at the ends of segments it takes the places of the path. O(pieces); reports
-/// to `progress`.
-void repeat_law(TimeLaw& law, std::size_t from, std::size_t to, const Path& path, std::size_t source, std::size_t copy,
-                std::size_t segments, ProgressScope& progress);
+/// A section that repeats an earlier one. Both have equally many segments, with lengths that differ by rounding.
+struct LawRepetition {
+  std::size_t from, to;      ///< pieces [from, to) of the law, those of the earlier section
+  std::size_t source, copy;  ///< first segments of the earlier section and of the one that repeats it
+  std::size_t segments;      ///< number of segments of either
+};
+
+/// Appends to the law of a path a copy of an earlier section's pieces. The copy is scaled by the ratio of both
+/// sections' lengths; at the ends of segments it takes the places of the path. O(pieces); reports to `progress`.
+void repeat_law(TimeLaw& law, const Path& path, const LawRepetition& repetition, ProgressScope& progress);
 
 }  // namespace bahnwerk

@@ -119,7 +119,7 @@ ClearanceCurve clearance_curve(const WindingRequest& request, const std::vector<
     };
     const Progress clearing = progress.part(done(i), done(i + 1)).named("clearance");
     const std::vector<winding::Clearance> found = winding::clearance_in_intervals(
-        pieces[i].curve, halvings, curve_enough, request.needle, all.list(), curve_tolerance, clearing);
+        pieces[i].curve, halvings, request.needle, all.list(), {curve_enough, curve_tolerance}, clearing);
     for (std::size_t k = 0; k < found.size(); ++k)
       builder.add(i, static_cast<double>(k + 1) / static_cast<double>(found.size()), found[k],
                   all.name(found[k].obstacle));

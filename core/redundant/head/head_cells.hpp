@@ -11,6 +11,11 @@
 
 namespace bahnwerk {
 
+/// The path's segments [first, last).
+struct SegmentRange {
+  std::size_t first = 0, last = 0;
+};
+
 struct HeadNode {
   double x = 0, v = 0, a = 0;     ///< mm, mm/s, mm/s²; v and a are the limits from the right
   double v_jump = 0, a_jump = 0;  ///< jumps of v and a at the node, where tangent or curvature jump

@@ -31,7 +31,7 @@ Expected<typename HeadSlowing<order>::Problem, NoPlan> HeadSlowing<order>::probl
   Problem p;
   p.head = plan_.motion(range.first, range.last);
   const bool all = range.last == p.head->path().size();
-  p.cells = head_cells(*p.head, 0, p.head->pieces() - (all ? 0 : 1), cell_options_, scope_);
+  p.cells = head_cells(*p.head, 0, p.head->pieces() - (all ? 0 : 1), options_.cells, scope_);
   for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
     if (!(machine_.axes[k].stroke > 0)) continue;
     std::optional<Chain<order>> chain = following<order>(p.cells, k, machine_.axes[k]);
@@ -69,8 +69,8 @@ Expected<bool, NoPlan> HeadSlowing<order>::slow_once(const SegmentRange& range, 
     if (found.empty()) return NoPlan::cannot_follow;  // the coarse axes do not come to rest
     for (const Cluster<order>& c : found) {
       counts.certified += round == 1 && c.certificate.value > 0;
-      lower_section_limits(p.head->law(), p.cells, p.axes[k], machine_.axes[p.axes[k]], c, relaxation_factor_of(round),
-                           plan_.section_limits());
+      lower_section_limits<order>(p.head->law(), p.cells, {p.axes[k], machine_.axes[p.axes[k]], c},
+                                  relaxation_factor_of(round), plan_.section_limits());
       slower = true;
     }
   }
@@ -107,8 +107,8 @@ SegmentRange HeadSlowing<order>::neighbourhood(const SegmentRange& range, std::s
   };
   const auto end = at(segment + 1);
   const double begins = at(segment)->t0, ends = end == pieces.end() ? head->duration() : end->t0;
-  return {std::max(range.first, plan_.section_begin(segment_at(begins - around_))),
-          std::min(range.last, plan_.section_end(segment_at(ends + around_)))};
+  return {std::max(range.first, plan_.section_begin(segment_at(begins - options_.around))),
+          std::min(range.last, plan_.section_end(segment_at(ends + options_.around)))};
 }
 
 template <std::size_t order>
@@ -140,7 +140,7 @@ Expected<bool, NoPlan> HeadSlowing<order>::run(const SegmentRange& range, HeadSl
   bool raised = false;
   work_ = 0;
   const double longest = hopeless * plan_.motion(range.first, range.last)->duration();
-  for (std::size_t round = 1; round <= static_cast<std::size_t>(max_rounds_); ++round) {
+  for (std::size_t round = 1; round <= static_cast<std::size_t>(options_.max_rounds); ++round) {
     counts.rounds = std::max(counts.rounds, round);
     const Expected<bool, NoPlan> slower = slow_once(range, round, counts);
     if (!slower) return slower.reason();
@@ -151,7 +151,7 @@ Expected<bool, NoPlan> HeadSlowing<order>::run(const SegmentRange& range, HeadSl
     if (raised || round == 1) return round > 1;
     bool searched = false;
     if constexpr (order == 2)
-      searched = SectionTimingSearch(plan_, machine_, cell_options_, scope_, range.first, range.last).run();
+      searched = SectionTimingSearch(plan_, machine_, options_.cells, scope_, range.first, range.last).run();
     if (!searched) raise(range);
     raised = true;
   }

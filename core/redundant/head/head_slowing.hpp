@@ -6,6 +6,7 @@
 /// permit, to 0.7 % of a speed.
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
@@ -15,11 +16,6 @@
 #include "core/redundant/no_plan.hpp"
 
 namespace bahnwerk {
-
-/// The path's segments [first, last), whole sections.
-struct SegmentRange {
-  std::size_t first = 0, last = 0;
-};
 
 struct HeadSlowingCounts {
   std::size_t rounds = 0;     ///< most rounds that one range took
@@ -32,23 +28,22 @@ struct SlowingWork {
   bool spent() const { return done > most; }
 };
 
+struct HeadSlowingOptions {
+  HeadCellOptions cells;
+  double around = 0;   ///< time before and behind a section over which it influences the coarse axes, s
+  int max_rounds = 0;  ///< largest number of rounds per range
+};
+
 template <std::size_t order>
 class HeadSlowing {
  public:
-  /// `around`: seconds before and behind a section over which it influences the coarse axes. `max_rounds` limits the
-  /// rounds per range, `work` the work of all ranges together. All references must outlive this object.
-  HeadSlowing(HeadPlan<order>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells, double around,
-              int max_rounds, SlowingWork& work, ProgressScope& scope)
-      : plan_(plan),
-        machine_(machine),
-        cell_options_(cells),
-        around_(around),
-        max_rounds_(max_rounds),
-        all_work_(work),
-        scope_(scope) {}
+  /// `work` limits the work of all ranges together. All references must outlive this object.
+  HeadSlowing(HeadPlan<order>& plan, const CoarseFineMachine& machine, HeadSlowingOptions options, SlowingWork& work,
+              ProgressScope& scope)
+      : plan_(plan), machine_(machine), options_(std::move(options)), all_work_(work), scope_(scope) {}
 
-  /// Makes the sections in `range` feasible and adds to `counts`. Returns whether anything had to be slowed, or why no
-  /// lower limits were found: none helps, the duration would grow tenfold, or the budget is spent.
+  /// Makes the sections in `range`, whole sections, feasible and adds to `counts`. Returns whether anything had to be
+  /// slowed, or why no lower limits were found: none helps, the duration would grow tenfold, or the budget is spent.
   Expected<bool, NoPlan> run(const SegmentRange& range, HeadSlowingCounts& counts);
 
  private:
@@ -70,9 +65,7 @@ class HeadSlowing {
 
   HeadPlan<order>& plan_;
   const CoarseFineMachine& machine_;
-  const HeadCellOptions& cell_options_;
-  double around_;
-  int max_rounds_;
+  const HeadSlowingOptions options_;
   SlowingWork& all_work_;
   ProgressScope& scope_;
   std::size_t work_ = 0;  // work spent on the current range

@@ -116,8 +116,11 @@ std::vector<Section> sections_of(const TimeLaw& law, const HeadCells& head, std:
 }  // namespace
 
 template <std::size_t order>
-void lower_section_limits(const TimeLaw& law, const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
-                          const Cluster<order>& cluster, double relaxation_factor, SectionLimits& section_limits) {
+void lower_section_limits(const TimeLaw& law, const HeadCells& head, const InfeasibleInterval<order>& interval,
+                          double relaxation_factor, SectionLimits& section_limits) {
+  const std::size_t axis = interval.axis;
+  const CoarseFineAxis& limits = interval.limits;
+  const Cluster<order>& cluster = interval.cluster;
   const ChainUnits units = chain_units(limits);
   const std::size_t first = cluster.certificate.first, last = cluster.certificate.last;
   std::vector<Section> sections = sections_of(law, head, first, last, section_limits);
@@ -177,9 +180,9 @@ void lower_section_limits(const TimeLaw& law, const HeadCells& head, std::size_t
     }
 }
 
-template void lower_section_limits(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
-                                   const Cluster<2>&, double, SectionLimits&);
-template void lower_section_limits(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
-                                   const Cluster<3>&, double, SectionLimits&);
+template void lower_section_limits(const TimeLaw&, const HeadCells&, const InfeasibleInterval<2>&, double,
+                                   SectionLimits&);
+template void lower_section_limits(const TimeLaw&, const HeadCells&, const InfeasibleInterval<3>&, double,
+                                   SectionLimits&);
 
 }  // namespace bahnwerk

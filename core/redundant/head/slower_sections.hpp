@@ -32,16 +32,24 @@ struct SectionLimits {
   std::map<std::size_t, double> acceleration_share = {};
 };
 
-/// Lowers `section_limits` for one infeasible interval `cluster` of the chain of axis `axis`; never raises a limit.
-/// `relaxation_factor` ≥ 1 multiplies the required gain. If no limit is known to help, or `relaxation_factor` exceeds
-/// 30, all sections of the interval become slower by a fifth. O(cells · steps).
+/// An infeasible interval of an axis' chain. Limits and interval have to outlive the object.
 template <std::size_t order>
-void lower_section_limits(const TimeLaw& law, const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
-                          const Cluster<order>& cluster, double relaxation_factor, SectionLimits& section_limits);
+struct InfeasibleInterval {
+  std::size_t axis;
+  const CoarseFineAxis& limits;  ///< limits of the axis
+  const Cluster<order>& cluster;
+};
 
-extern template void lower_section_limits(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
-                                          const Cluster<2>&, double, SectionLimits&);
-extern template void lower_section_limits(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
-                                          const Cluster<3>&, double, SectionLimits&);
+/// Lowers `section_limits` for one infeasible interval of a chain; never raises a limit. `law` is the head's law and
+/// `head` are its cells. `relaxation_factor` ≥ 1 multiplies the required gain. If no limit is known to help, or
+/// `relaxation_factor` exceeds 30, all sections of the interval become slower by a fifth. O(cells · steps).
+template <std::size_t order>
+void lower_section_limits(const TimeLaw& law, const HeadCells& head, const InfeasibleInterval<order>& interval,
+                          double relaxation_factor, SectionLimits& section_limits);
+
+extern template void lower_section_limits(const TimeLaw&, const HeadCells&, const InfeasibleInterval<2>&, double,
+                                          SectionLimits&);
+extern template void lower_section_limits(const TimeLaw&, const HeadCells&, const InfeasibleInterval<3>&, double,
+                                          SectionLimits&);
 
 }  // namespace bahnwerk

@@ -227,7 +227,7 @@ std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const TimeLaw& l
     const HeadCells cells = cells_of(section);
     for (std::size_t k = 0; k < axes(); ++k) {
       at[k].law = piece;
-      const std::vector<SplitPeaks> here = split_peaks(cells, law, k, coarse[k], from, to, at[k]);
+      const std::vector<SplitPeaks> here = split_peaks(cells, law, k, coarse[k], {from, to}, at[k]);
       std::copy(here.begin(), here.end(), peaks[k].begin() + static_cast<std::ptrdiff_t>(from - block));
     }
     piece = next;
@@ -285,11 +285,11 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
     };
     of(&SplitPeaks::coarse_acceleration, &SplitPeaks::fine_acceleration);
     // Within the limit of the fine acceleration the stroke can only be exceeded between samples.
-    fell |= adapt(limits_.acceleration[k], begin, coarse, a.coarse.acceleration, fine, a.fine.acceleration, iteration,
-                  adaptation);
+    fell |= adapt(limits_.acceleration[k], begin, {coarse, a.coarse.acceleration}, {fine, a.fine.acceleration},
+                  iteration, adaptation);
     if (!jerk_) continue;
     of(&SplitPeaks::coarse_jerk, &SplitPeaks::fine_jerk);
-    fell |= adapt(limits_.jerk[k], begin, coarse, a.coarse.jerk, fine, a.fine.jerk, iteration, adaptation);
+    fell |= adapt(limits_.jerk[k], begin, {coarse, a.coarse.jerk}, {fine, a.fine.jerk}, iteration, adaptation);
   }
   for (std::size_t b = 0; b < blocks; ++b) {
     std::vector<SplitPeaks> here;
@@ -339,7 +339,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
     const HeadSamples samples = sample(head);
     if (!fit(samples, begin, iteration, last == sections_.size(), part.coarse)) break;
     std::vector<std::vector<SplitPeaks>> peaks;
-    for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
+    for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], {block, end}));
     Assessment found = assessed(head.duration(), peaks);
     if (found.slowing <= bearable) {  // at samples: look between them
       peaks = exact_peaks(part.law, part.coarse, first, last);

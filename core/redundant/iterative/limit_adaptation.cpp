@@ -17,13 +17,13 @@ AdaptationOptions with_larger_steps(AdaptationOptions options, int passes) {
   return options;
 }
 
-bool adapt(std::vector<double>& limits, std::size_t first, const std::vector<double>& coarse, double coarse_limit,
-           const std::vector<double>& fine, double fine_limit, int iteration, const AdaptationOptions& options) {
-  const std::size_t n = coarse.size();
+bool adapt(std::vector<double>& limits, std::size_t first, const LimitedPeaks& coarse, const LimitedPeaks& fine,
+           int iteration, const AdaptationOptions& options) {
+  const std::size_t n = coarse.peaks.size();
   const std::vector<double> old(limits.begin() + static_cast<std::ptrdiff_t>(first),
                                 limits.begin() + static_cast<std::ptrdiff_t>(first + n));
-  const double least = coarse_limit / options.anchor_steps;
-  const double anchor = std::max(coarse_limit - (iteration - 1) * least, least);
+  const double least = coarse.limit / options.anchor_steps;
+  const double anchor = std::max(coarse.limit - (iteration - 1) * least, least);
   bool fell = false;
   const auto lower = [&](std::size_t block, double to, double floor) {
     double& limit = limits[first + block];
@@ -32,14 +32,14 @@ bool adapt(std::vector<double>& limits, std::size_t first, const std::vector<dou
     limit = next;
   };
   for (std::size_t j = 0; j < n; ++j) {
-    if (coarse[j] > coarse_limit * (1 + options.rounding)) {
-      double excess = std::max(coarse[j] - coarse_limit, options.least_change * old[j]);
-      if (options.proportional) excess = std::max(excess, (1 - coarse_limit / coarse[j]) * old[j]);
+    if (coarse.peaks[j] > coarse.limit * (1 + options.rounding)) {
+      double excess = std::max(coarse.peaks[j] - coarse.limit, options.least_change * old[j]);
+      if (options.proportional) excess = std::max(excess, (1 - coarse.limit / coarse.peaks[j]) * old[j]);
       const std::size_t reach = options.spread.size() - 1;
       for (std::size_t i = j - std::min(j, reach); i <= std::min(j + reach, n - 1); ++i)
         lower(i, old[i] - options.spread[i > j ? i - j : j - i] * excess, anchor);
-    } else if (fine[j] > fine_limit * (1 + options.rounding)) {
-      const double excess = std::max(fine[j] - fine_limit, options.least_change * old[j]);
+    } else if (fine.peaks[j] > fine.limit * (1 + options.rounding)) {
+      const double excess = std::max(fine.peaks[j] - fine.limit, options.least_change * old[j]);
       lower(j, old[j] - options.fine_factor * excess, least);
     }
   }

@@ -33,13 +33,18 @@ struct HeadLimits {
   std::vector<double> feeds;                            ///< [block]
 };
 
-/// Algorithm 4.1 for one axis and one kind of limit in the blocks [first, first + coarse.size()): `limits`, of all
-/// blocks, fall where the peaks `coarse` or `fine` of those blocks exceed `coarse_limit` or `fine_limit` in iteration
-/// `iteration` ≥ 1. No limit rises. Excess of the coarse axis lowers limits at most to the iteration's anchor (4.40),
-/// excess of the fine axis at most to coarse_limit/anchor_steps, where the source has no bound. Returns whether a limit
-/// fell.
-bool adapt(std::vector<double>& limits, std::size_t first, const std::vector<double>& coarse, double coarse_limit,
-           const std::vector<double>& fine, double fine_limit, int iteration, const AdaptationOptions& options);
+/// Peaks of an axis per block, and the axis' limit, both in the limit's unit. The peaks have to outlive the object.
+struct LimitedPeaks {
+  const std::vector<double>& peaks;
+  double limit;
+};
+
+/// Algorithm 4.1 for one axis and one kind of limit in as many blocks from `first` on as there are peaks: `limits`, of
+/// all blocks, fall where the coarse or the fine axis exceeds its limit in iteration `iteration` ≥ 1. No limit rises.
+/// Excess of the coarse axis lowers limits at most to the iteration's anchor (4.40), excess of the fine axis at most to
+/// coarse.limit/anchor_steps, where the source has no bound. Returns whether a limit fell.
+bool adapt(std::vector<double>& limits, std::size_t first, const LimitedPeaks& coarse, const LimitedPeaks& fine,
+           int iteration, const AdaptationOptions& options);
 
 /// Lowers the feed of one block by (4.41), (4.42); `peaks` has one entry per axis. Returns whether it fell.
 bool adapt_feed(double& feed, double first_feed, const std::vector<SplitPeaks>& peaks, const CoarseFineMachine& machine,

@@ -27,13 +27,13 @@ CoarseRange range_of(const TimeSpline::Coefficients& c, double h) {
 }  // namespace
 
 std::vector<SplitPeaks> split_peaks(const HeadCells& cells, const TimeLaw& law, std::size_t axis,
-                                    const TimeSpline& coarse, std::size_t first, std::size_t last, CellsBegin& at) {
-  std::vector<SplitPeaks> peaks(last - first);
+                                    const TimeSpline& coarse, const SegmentRange& range, CellsBegin& at) {
+  std::vector<SplitPeaks> peaks(range.last - range.first);
   const auto raise = [](double& peak, double value) { peak = std::max(peak, value); };
   std::size_t& piece = at.coarse;
   const double begin = law.pieces()[at.law].t0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    SplitPeaks& p = peaks[law.pieces()[at.law + cells.pieces[c]].segment - first];
+    SplitPeaks& p = peaks[law.pieces()[at.law + cells.pieces[c]].segment - range.first];
     const double t0 = begin + cells.times[c], t1 = begin + cells.times[c + 1], h = t1 - t0;
     const HeadCell& head = cells.cells[axis][c];
     piece = coarse.find(t0, piece);
@@ -63,14 +63,14 @@ std::vector<SplitPeaks> split_peaks(const HeadCells& cells, const TimeLaw& law, 
 }
 
 std::vector<SplitPeaks> sampled_peaks(const HeadSamples& head, std::size_t axis, const TimeSpline& coarse,
-                                      std::size_t first, std::size_t last) {
-  std::vector<SplitPeaks> peaks(last - first);
+                                      const SegmentRange& range) {
+  std::vector<SplitPeaks> peaks(range.last - range.first);
   const auto raise = [](double& peak, double value) { peak = std::max(peak, std::abs(value)); };
   std::size_t piece = 0;
   for (std::size_t i = 0; i < head.times.size(); ++i) {
     piece = coarse.find(head.times[i], piece);
     const AxisState c = coarse.in_piece(piece, head.times[i]), &h = head.axes[axis][i];
-    SplitPeaks& p = peaks[head.segments[i] - first];
+    SplitPeaks& p = peaks[head.segments[i] - range.first];
     raise(p.offset, h.x - c.x);
     raise(p.coarse_velocity, c.v);
     raise(p.coarse_acceleration, c.a);

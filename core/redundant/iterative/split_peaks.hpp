@@ -20,12 +20,12 @@ struct CellsBegin {
   std::size_t law = 0, coarse = 0;
 };
 
-/// Returns the peaks of one axis per segment of [first, last). `law` is the head's law and `cells` are cells of it;
+/// Returns the peaks of one axis per segment of a range. `law` is the head's law and `cells` are cells of it;
 /// `at` says where they begin and receives where they end in the spline. Peaks are upper bounds as far as the cells'
 /// ranges are: between nodes the fine velocity exceeds its end values by at most w h/4 (w: range of the fine
 /// acceleration in a cell of h seconds) and the offset by A h²/8. O(cells + pieces).
 std::vector<SplitPeaks> split_peaks(const HeadCells& cells, const TimeLaw& law, std::size_t axis,
-                                    const TimeSpline& coarse, std::size_t first, std::size_t last, CellsBegin& at);
+                                    const TimeSpline& coarse, const SegmentRange& range, CellsBegin& at);
 
 /// The head's states at `times`, s, ascending. Peaks at these times alone, as in the source, are quicker to compute but
 /// lower than the true ones.
@@ -34,8 +34,8 @@ struct HeadSamples {
   std::vector<std::size_t> segments;         ///< segment at each time
   std::vector<std::vector<AxisState>> axes;  ///< [axis][time]
 };
-/// Returns the peaks at the head's samples, of one axis, per segment of [first, last).
+/// Returns the peaks at the head's samples, of one axis, per segment of a range.
 std::vector<SplitPeaks> sampled_peaks(const HeadSamples& head, std::size_t axis, const TimeSpline& coarse,
-                                      std::size_t first, std::size_t last);
+                                      const SegmentRange& range);
 
 }  // namespace bahnwerk

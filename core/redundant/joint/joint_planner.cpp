@@ -154,8 +154,8 @@ template <std::size_t order>
 std::optional<NoPlan> JointPlanner<order>::slow(const std::vector<SegmentRange>& too_fast, HeadSlowingCounts& counts) {
   double around = 0;
   for (const std::size_t k : splits_.axes()) around = std::max(around, splits_.ahead(k));
-  const HeadCellOptions cells = splits_.cells();
-  HeadSlowing<order> slowing(plan_, task_.machine, cells, around, options_.max_rounds, work_, scope_);
+  const HeadSlowingOptions options{splits_.cells(), around, options_.max_rounds};
+  HeadSlowing<order> slowing(plan_, task_.machine, options, work_, scope_);
   for (const SegmentRange& range : too_fast)
     if (const Expected<bool, NoPlan> slower = slowing.run(range, counts); !slower) return slower.reason();
   head_ = plan_.motion();

@@ -96,10 +96,10 @@ void JerkPieces<N>::join(const Node& a, const Node& b, double cap) {
 
 // Enclosures of the cells are closer than one over all of them.
 template <int N>
-DirectionRange<N> JerkPieces<N>::range(const Node& a, const Node& b, std::size_t first, std::size_t last) const {
-  if (first == last) return grid_.range(a, b);
-  DirectionRange<N> all = grid_.range(a, grid_.nodes()[first + 1]);
-  for (std::size_t i = first + 1; i <= last; ++i) {
+DirectionRange<N> JerkPieces<N>::range(const Draft& draft) const {
+  if (draft.first == draft.last) return grid_.range(draft.a, draft.b);
+  DirectionRange<N> all = grid_.range(draft.a, grid_.nodes()[draft.first + 1]);
+  for (std::size_t i = draft.first + 1; i <= draft.last; ++i) {
     const DirectionRange<N> one = grid_.range(grid_.nodes()[i], grid_.nodes()[i + 1]);
     for (std::size_t k = 0; k < N; ++k)
       all.low[k] = std::min(all.low[k], one.low[k]), all.high[k] = std::max(all.high[k], one.high[k]);
@@ -108,46 +108,48 @@ DirectionRange<N> JerkPieces<N>::range(const Node& a, const Node& b, std::size_t
   return all;
 }
 
-// A piece of the cells `first` to `last`; where jerk may limit b, in halves as long as b may change so much that little
-// is known of it.
+// Appends a piece; where jerk may limit b, in halves as long as b may change so much that little is known of it.
 template <int N>
-void JerkPieces<N>::append(const Node& a, const Node& b, double cap, Extent extent, std::size_t first, std::size_t last,
-                           int depth, double without) {
-  if (depth == 0) without = cap;
-  if (!(b.s > a.s) || !std::isfinite(cap)) return push(a, b, cap, without, extent);
+void JerkPieces<N>::append(const Draft& draft, int depth) {
+  const Node &a = draft.a, &b = draft.b;
+  if (!(b.s > a.s) || !std::isfinite(draft.cap)) return push(draft);
   piece_.length = b.s - a.s, piece_.rounding_error = std::max(a.rounding_error, b.rounding_error);
   piece_.tangent = {a.tangent, b.tangent}, piece_.q2 = {a.curvature, b.curvature};
-  if (!jerk_may_limit(piece_, cap)) return push(a, b, cap, without, extent);
-  one_way_.set(piece_, a, b, first, last);
-  const DirectionRange<N> range = this->range(a, b, first, last);
+  if (!jerk_may_limit(piece_, draft.cap)) return push(draft);
+  one_way_.set(piece_, a, b, draft.first, draft.last);
+  const DirectionRange<N> range = this->range(draft);
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     piece_.least[k] = range.least(k), piece_.most[k] = range.most(k);
     piece_.displacement[k] = std::abs(b.position[k] - a.position[k]) + 64 * epsilon * std::abs(b.position[k]);
   }
   piece_.unit = grid_.unit_direction(a) && grid_.unit_direction(b);
-  const JerkCap found = jerk_cap(piece_, cap);
+  const JerkCap found = jerk_cap(piece_, draft.cap);
   if (found.change > much_change_ * found.cap && depth < halvings) {
     const double u = a.u + (b.u - a.u) / 2;
-    const std::size_t half = (first + last + 1) / 2;
-    const bool joined = first < last;
+    const std::size_t half = (draft.first + draft.last + 1) / 2;
+    const bool joined = draft.first < draft.last;
     if (const Node middle = joined ? grid_.nodes()[half] : grid_.node(a.segment, u); middle.s > a.s && b.s > middle.s) {
-      append(a, middle, found.cap, extent, first, joined ? half - 1 : last, depth + 1, without);
-      return append(middle, b, found.cap, extent, joined ? half : first, last, depth + 1, without);
+      const std::size_t end = joined ? half - 1 : draft.last, begin = joined ? half : draft.first;
+      append({a, middle, draft.first, end, draft.extent, found.cap, draft.without}, depth + 1);
+      return append({middle, b, begin, draft.last, draft.extent, found.cap, draft.without}, depth + 1);
     }
   }
-  push(a, b, found.cap, without, extent);
+  push({a, b, draft.first, draft.last, draft.extent, found.cap, draft.without});
 }
 
-// `without`: the cap without jerk, by which cells are short where q″ changes.
 template <int N>
-void JerkPieces<N>::push(const Node& a, const Node& b, double cap, double without, Extent extent) {
+void JerkPieces<N>::push(const Draft& draft) {
+  const Node &a = draft.a, &b = draft.b;
   if (!(b.s > a.s)) return;  // the joint before it stands before the next one
-  DualPiece<N> p = dual_piece(grid_, a, b, cap, grid_.third(a, b));
+  DualPiece<N> p = dual_piece(grid_, a, b, draft.cap, grid_.third(a, b));
   p.joint = std::exchange(joint_, {});
+  Extent extent = draft.extent;
+  // The cap without jerk counts: by it cells are short where q″ changes.
   for (std::size_t k = 0; k < grid_.axes(); ++k)
-    extent.swing = std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * without / grid_.acceleration(k));
+    extent.swing =
+        std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * draft.without / grid_.acceleration(k));
   pieces_.push_back(p);
-  if (!grid_.cartesian() && cap < (1 - capped) * without) extent.finest *= capped_part;
+  if (!grid_.cartesian() && draft.cap < (1 - capped) * draft.without) extent.finest *= capped_part;
   extents_.push_back(extent);
 }
 
@@ -289,12 +291,14 @@ void JerkPieces<N>::divide(std::size_t cell, const Room& room, const std::vector
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
     const Node next = grid_.node(from.segment, u);
     e.finest = per_cell_ * d;
-    append(last, next, cap(cell, last, next, b, &steepest), e, cell, cell);
+    const double most = cap(cell, last, next, b, &steepest);
+    append({last, next, cell, cell, e, most, most});
     last = next;
     x = next.s - from.s;
   }
   e.finest = std::min(e.finest, per_cell_ * std::min(before_[cell + 1], behind_[cell + 1]));
-  append(last, to, x > 0 ? cap(cell, last, to, b, &steepest) : room.cap, e, cell, cell);
+  const double most = x > 0 ? cap(cell, last, to, b, &steepest) : room.cap;
+  append({last, to, cell, cell, e, most, most});
   grid_.forget();
 }
 
@@ -315,7 +319,7 @@ std::size_t JerkPieces<N>::joined(std::size_t first, const Room& room, const std
     progress_.work(2);
   }
   if (i == first + 1) return first;
-  append(nodes[first], nodes[i], most, e, first, i - 1);
+  append({nodes[first], nodes[i], first, i - 1, e, most, most});
   return i;
 }
 

@@ -67,10 +67,17 @@ class JerkPieces {
   Extent extent(std::size_t cell, double x, const Room& room, const std::vector<double>& b) const;
   void divide(std::size_t cell, const Room& room, const std::vector<double>& b);
   std::size_t joined(std::size_t first, const Room& room, const std::vector<double>& b);
-  DirectionRange<N> range(const Node& a, const Node& b, std::size_t first, std::size_t last) const;
-  void append(const Node& a, const Node& b, double cap, Extent extent, std::size_t first, std::size_t last,
-              int depth = 0, double without = 0);
-  void push(const Node& a, const Node& b, double cap, double without, Extent extent);
+  /// A piece before it is appended: between two places in the cells `first` to `last` of the grid.
+  struct Draft {
+    const Node &a, &b;
+    std::size_t first, last;
+    Extent extent;
+    double cap;      // largest b, mm²/s²
+    double without;  // the same without limits of jerk
+  };
+  DirectionRange<N> range(const Draft& draft) const;
+  void append(const Draft& draft, int depth = 0);
+  void push(const Draft& draft);
   double cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes,
              const Row* steepest) const;
   void join(const Node& a, const Node& b, double cap);

@@ -96,8 +96,9 @@ double excess(const Difference& d, const Machine& machine, std::size_t axes, con
 
 }  // namespace
 
-double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t a,
-                     std::size_t b, std::size_t n, ProgressScope& progress) {
+double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds,
+                     const Repetition& repetition, ProgressScope& progress) {
+  const auto& [a, b, n] = repetition;
   if (!path.cartesian() || a + n > path.size() || b + n > path.size()) return infinite;
   std::vector<Difference> differences;
   double length = 0;
@@ -134,7 +135,7 @@ std::optional<RepeatedSections::Known> RepeatedSections::find(std::size_t first,
   for (const std::size_t i : index_.of(shape_)) {
     const Known& known = known_[i];
     if (known.last - known.first != last - first) continue;
-    const double margin = repeat_margin(path_, machine_, feeds_, known.first, first, last - first, progress_);
+    const double margin = repeat_margin(path_, machine_, feeds_, {known.first, first, last - first}, progress_);
     if (margin <= largest_margin) return Known{first, last, known.duration * (1 - margin), known.nodes, known.cells};
   }
   return {};

@@ -12,6 +12,11 @@
 
 namespace bahnwerk::verify {
 
+/// Segments [b, b + n) as a repetition of [a, a + n).
+struct Repetition {
+  std::size_t a, b, n;
+};
+
 /// Returns an η such that no motion along segments [b, b + n), from rest to rest within the limits, is shorter than 1 −
 /// η times the shortest one along [a, a + n); infinite if the two do not match, or this cannot be decided. Cartesian
 /// axes only. O(n); reports to `progress`.
@@ -24,8 +29,8 @@ namespace bahnwerk::verify {
 /// over the section, |q″| v² ≤ A, and |s⃛| ≤ J + A |q″| v. Slowed uniformly by 1 + η it is within the limits along a if
 /// no limit is exceeded by more than η of itself. The argument includes the steps of velocity and acceleration that
 /// joints inside the section allow.
-double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t a,
-                     std::size_t b, std::size_t n, ProgressScope& progress);
+double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds,
+                     const Repetition& repetition, ProgressScope& progress);
 
 /// The bounds of previous sections, for sections that repeat them.
 class RepeatedSections {

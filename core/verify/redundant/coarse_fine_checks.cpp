@@ -74,7 +74,7 @@ class FineSweep {
         while (c < last && in_.coarse.begin(c + 1) <= from + blur) ++c;
         double to = c < last ? std::min(in_.coarse.begin(c + 1), end) : end;
         if (end - to <= blur) to = end;
-        stretch(pieces[i], c, from, to);
+        check(pieces[i], c, from, to);
         from = to;
       }
     }
@@ -91,25 +91,33 @@ class FineSweep {
   }
 
  private:
-  void stretch(const LawPiece& piece, std::size_t c, double from, double to) {
+  /// A time in which neither the piece of the head's law changes nor that of the coarse motion.
+  struct Interval {
+    LawPiece law;  // s counts from the begin of the segment: far along a path its rounding would show
+    const Segment& segment;
+    std::size_t coarse;  // piece of the coarse motion
+    double from, to;     // s
+  };
+
+  void check(const LawPiece& piece, std::size_t c, double from, double to) {
     if (piece.segment >= in_.path.size()) return;  // another check's fault
-    const Segment& segment = in_.path[piece.segment];
-    LawPiece local = piece;  // counted from the begin of the segment: far along a path the rounding of s would show
-    local.s = piece.s - segment.s0();
+    Interval at{piece, in_.path[piece.segment], c, from, to};
+    at.law.s = piece.s - at.segment.s0();
     degree_ = 0;
     for (std::size_t k = 0; k < in_.fine_axes.size(); ++k) {
-      if (!in_.coarse.polynomial(c, k, coarse_[k])) return sample(piece, local, segment, c, from, to, false);
+      if (!in_.coarse.polynomial(c, k, coarse_[k])) return sample(at, false);
       degree_ = std::max(degree_, coarse_[k].size() - std::min<std::size_t>(coarse_[k].size(), 1));
     }
     if (in_.path.linear(piece.segment))
-      exact(piece, moved(local, from - piece.t0), segment, c, from, to);
+      exact(at);
     else
-      sample(piece, local, segment, c, from, to, true);
+      sample(at, true);
   }
 
-  void exact(const LawPiece& piece, const LawPiece& law, const Segment& segment, std::size_t c, double from,
-             double to) {
-    const AxisJet q = in_.path.at_parameter(piece.segment, segment.parameter_at(law.s));
+  void exact(const Interval& at) {
+    const double from = at.from, to = at.to;
+    const LawPiece law = moved(at.law, from - at.law.t0);
+    const AxisJet q = in_.path.at_parameter(law.segment, at.segment.parameter_at(law.s));
     Polynomial fine;
     std::size_t axis = in_.fine_axes.size(), derived = 0;
     for (std::size_t n = 0; n < channels_.size(); ++n) {
@@ -118,7 +126,7 @@ class FineSweep {
       if (k != axis) {
         const double d = q.d1[k];
         fine = Polynomial{q.value[k], d * law.v, d * law.a / 2, d * law.j / 6, d * law.snap / 24} -
-               shifted(coarse_[k], from - in_.coarse.begin(c), 1);
+               shifted(coarse_[k], from - in_.coarse.begin(at.coarse), 1);
         axis = k, derived = 0;
       }
       for (; derived < channel.derivative; ++derived) fine = derivative(fine);
@@ -136,37 +144,38 @@ class FineSweep {
   }
 
   /// Next to a vanishing tangent no bound of the curve over time is known.
-  bool at_vanishing_tangent(const LawPiece& piece, const LawPiece& local, const Segment& segment, double begin,
-                            double end) {
-    CurveDiscs& all = discs(piece.segment);
+  bool at_vanishing_tangent(const Interval& at, double begin, double end) {
+    CurveDiscs& all = discs(at.law.segment);
     if (all.vanishing() == 0) return false;
-    const double u0 = segment.parameter_at(local.at(begin - piece.t0).s);
-    const double u1 = segment.parameter_at(local.at(end - piece.t0).s);
+    const double u0 = at.segment.parameter_at(at.law.at(begin - at.law.t0).s);
+    const double u1 = at.segment.parameter_at(at.law.at(end - at.law.t0).s);
     return u0 <= all.vanishing_at() && all.vanishing_at() <= u1;
   }
 
-  void sample(const LawPiece& piece, const LawPiece& local, const Segment& segment, std::size_t c, double from,
-              double to, bool polynomial) {
+  /// `polynomial`: whether the coarse motion is a polynomial there.
+  void sample(const Interval& at, bool polynomial) {
+    const LawPiece& law = at.law;
+    const Segment& segment = at.segment;
     const bool open = segment.cusp_begin() || segment.cusp_end();
-    peaks_.sweep(from, to, open, 0, [&](PeakSamples& samples) {
+    peaks_.sweep(at.from, at.to, open, 0, [&](PeakSamples& samples) {
       const auto points = static_cast<std::size_t>(samples.rule.points);
       scope_.work(points);
       const double half = 0.5 * (samples.end - samples.begin);
-      if (polynomial && !at_vanishing_tangent(piece, local, segment, samples.begin, samples.end)) {
+      if (polynomial && !at_vanishing_tangent(at, samples.begin, samples.end)) {
         if (degree_ >= points && !samples.last) {
           samples.empty = true;
           return false;
         }
-        const LawPiece here = moved(local, samples.begin + half - piece.t0);
-        const CurveDisc disc = discs(piece.segment).about(segment.parameter_at(here.s));
+        const LawPiece here = moved(law, samples.begin + half - law.t0);
+        const CurveDisc disc = discs(law.segment).about(segment.parameter_at(here.s));
         const StateBounds bounds = state_bounds_over_time(here, half, disc, samples.rule.points);
         for (std::size_t n = 0; n < channels_.size(); ++n) samples.missing[n] = bounds[channels_[n].derivative];
       }
       for (std::size_t i = 0; i < points; ++i) {
         const double t = samples.at(static_cast<int>(i));
-        const LawState x = local.at(std::clamp(t - piece.t0, 0.0, piece.duration));
-        const AxisJet q = in_.path.at_parameter(piece.segment, segment.parameter_at(x.s));
-        const MotionState coarse = in_.coarse.in_piece(c, t);
+        const LawState x = law.at(std::clamp(t - law.t0, 0.0, law.duration));
+        const AxisJet q = in_.path.at_parameter(law.segment, segment.parameter_at(x.s));
+        const MotionState coarse = in_.coarse.in_piece(at.coarse, t);
         for (std::size_t n = 0; n < channels_.size(); ++n) {
           const Channel& channel = channels_[n];
           samples.values[n * points + i] =

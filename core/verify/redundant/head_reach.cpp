@@ -117,15 +117,15 @@ double dwell_before(const PathTask& task, std::size_t segment) {
 }
 
 HeadReach reached(const PathTask& task, const std::vector<SectionBound>& sections, std::size_t from, std::size_t to,
-                  double horizon, double step, bool dwells) {
-  Walk walk(task, to >= from, horizon, step);
+                  const HeadReachOptions& options) {
+  Walk walk(task, to >= from, options.horizon, options.step);
   const bool ends = from == sections.size();
   const std::size_t segment = ends ? sections.back().last - 1 : sections[from].first;
   walk.begin(segment, ends ? task.path[segment].s1() : task.path[segment].s0());
   if (to >= from)
-    for (std::size_t i = from; i < to && walk.section(sections[i], dwells || i != from);) ++i;
+    for (std::size_t i = from; i < to && walk.section(sections[i], options.dwells || i != from);) ++i;
   else
-    for (std::size_t i = from; i > to && walk.section(sections[i - 1], dwells || i != from);) --i;
+    for (std::size_t i = from; i > to && walk.section(sections[i - 1], options.dwells || i != from);) --i;
   return walk.result();
 }
 

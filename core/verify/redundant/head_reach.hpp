@@ -29,14 +29,19 @@ struct HeadReach {
 /// Returns the duration of the dwell before a segment, or behind the last one, s.
 double dwell_before(const PathTask& task, std::size_t segment);
 
+struct HeadReachOptions {
+  double horizon = unlimited;  ///< time after the rest up to which pieces are wanted, s
+  double step = 1;             ///< longest piece, mm
+  bool dwells = true;          ///< whether the head stays at the first rest for its dwell; otherwise it leaves at once
+};
+
 /// Returns the reach from the rest before section `from` of `sections` (or behind all of them) along the sections up to
-/// the rest before section `to`, backward in time if to < from, in pieces of at most `step` mm, for `horizon` seconds.
-/// No motion that keeps the axes' limits, the feeds, the sections' bounds and the dwells of `task` is in a piece
-/// earlier than its `after` (backward: later before the rest than it). `dwells`: whether the head stays at the first
-/// rest for its dwell; otherwise it leaves at once. The boxes enclose pieces of any curve: a curve of length l between
-/// points at distance c lies in the ellipsoid with these foci and the axis l. O(pieces).
+/// the rest before section `to`, backward in time if to < from. No motion that keeps the axes' limits, the feeds, the
+/// sections' bounds and the dwells of `task` is in a piece earlier than its `after` (backward: later before the rest
+/// than it). The boxes enclose pieces of any curve: a curve of length l between points at distance c lies in the
+/// ellipsoid with these foci and the axis l. O(pieces).
 HeadReach reached(const PathTask& task, const std::vector<SectionBound>& sections, std::size_t from, std::size_t to,
-                  double horizon, double step, bool dwells = true);
+                  const HeadReachOptions& options);
 
 /// Returns, for the times i · spacing, i = 0 … count, the interval of one axis that encloses all pieces reachable by
 /// then; infinite behind `until`.

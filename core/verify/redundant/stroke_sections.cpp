@@ -66,14 +66,15 @@ StrokeAxis StrokeSections::axis(std::size_t k, std::size_t origin) const {
 }
 
 StrokeSections::Surroundings StrokeSections::around(std::size_t first, std::size_t last) const {
-  return {reached(task_.head, sections_, first, 0, horizon_, step_),
-          reached(task_.head, sections_, last, count(), horizon_, step_), first == 0 && !waits(first),
+  return {reached(task_.head, sections_, first, 0, {horizon_, step_}),
+          reached(task_.head, sections_, last, count(), {horizon_, step_}), first == 0 && !waits(first),
           last == count() && !waits(last)};
 }
 
 Passage StrokeSections::passage(std::size_t first, std::size_t last) const {
-  return {rest(first), rest(last), reached(task_.head, sections_, first, last, unlimited, step_, false),
-          reached(task_.head, sections_, last, first, unlimited, step_, false)};
+  const HeadReachOptions at_once{.step = step_, .dwells = false};
+  return {rest(first), rest(last), reached(task_.head, sections_, first, last, at_once),
+          reached(task_.head, sections_, last, first, at_once)};
 }
 
 }  // namespace bahnwerk::verify

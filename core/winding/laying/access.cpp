@@ -114,8 +114,8 @@ std::vector<Obstruction> opening_obstructions(const Opening& opening, double rad
 }
 
 std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const Opening& opening, const Needle& needle,
-                                              double radius, double touch, const std::vector<Point>& wires,
-                                              Progress progress) {
+                                              const WiresToLay& wires, Progress progress) {
+  const double radius = wires.radius;
   const Upright upright(opening);
   const double half = needle.width / 2;
   const double x = needle.stand == Needle::Stand::middle ? 0 : needle.stand == Needle::Stand::left ? -half : half;
@@ -125,9 +125,9 @@ std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const O
   double tip = floor_of(usable_area, upright, opening, x - half + verify_margin, x + half - verify_margin);
   std::vector<Point> laid;
   std::vector<Interval> taken;
-  for (const Point& wire : wires) {
+  for (const Point& wire : wires.places) {
     if (laid.size() % 64 == 0)
-      progress.report("needle access", static_cast<double>(laid.size()) / static_cast<double>(wires.size()));
+      progress.report("needle access", static_cast<double>(laid.size()) / static_cast<double>(wires.places.size()));
     const Point place = upright(wire);
     double highest = endless;
     if (std::abs(place.x) > through) {
@@ -139,7 +139,7 @@ std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const O
     }
     taken.clear();
     for (const Point& other : laid) {
-      const double reach = std::min(2 * radius * (1 - touch), (1 - 1e-9) * distance(other, place));
+      const double reach = std::min(2 * radius * (1 - wires.touch), (1 - 1e-9) * distance(other, place));
       const Interval at = hidden(other - place, reach, x - place.x);
       if (at.low < at.high) taken.push_back({at.low + place.y, at.high + place.y});
     }

@@ -44,13 +44,18 @@ struct Obstruction {
 /// needle has walls, so a bundle as thick as the needle does not run in it.
 std::vector<Obstruction> opening_obstructions(const Opening& opening, double radius, const std::optional<Needle>&);
 
-/// Returns the first wire, in laying order, that the needle cannot bring to its place. The needle stands at most as
-/// deep as wires laid before and the slot's base allow. From its mouth the wire runs straight to its place, past all
-/// wires laid before and, above the tooth tips, through the clear opening. Wires yield by `touch`, a fraction of their
-/// diameter. Walls that project into the slot are ignored: they guide a wire. Every position of the mouth is decided,
-/// by intervals. O(n²) for n wires.
+/// The wires of a slot in laying order. Their places have to outlive the object.
+struct WiresToLay {
+  const std::vector<Point>& places;  ///< centres, mm
+  double radius;                     ///< mm
+  double touch;                      ///< fraction of their diameter by which wires yield
+};
+
+/// Returns the first wire that the needle cannot bring to its place. The needle stands at most as deep as wires laid
+/// before and the slot's base allow. From its mouth the wire runs straight to its place, past all wires laid before
+/// and, above the tooth tips, through the clear opening. Walls that project into the slot are ignored: they guide a
+/// wire. Every position of the mouth is decided, by intervals. O(n²) for n wires.
 std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const Opening& opening, const Needle& needle,
-                                              double radius, double touch, const std::vector<Point>& wires,
-                                              Progress progress);
+                                              const WiresToLay& wires, Progress progress);
 
 }  // namespace bahnwerk::winding

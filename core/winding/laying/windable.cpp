@@ -16,7 +16,7 @@ std::vector<Windable::Blocked> blocked(const LaidCoil& coil, double touch, Progr
   if (!coil.needle || coil.needle->swivels || !found.empty() || coil.slot.type == Slot::Type::rotor) return found;
   const auto channel = [&](const Region& usable_area, Needle needle, const Layout& layout, bool back) {
     const Progress last = progress.part(1, 1).named("needle access");
-    const auto wire = first_out_of_reach(usable_area, opening, needle, coil.radius, touch, layout.wires, last);
+    const auto wire = first_out_of_reach(usable_area, opening, needle, {layout.wires, coil.radius, touch}, last);
     if (wire) found.push_back({{Obstruction::Part::channel, 0, 0, *wire}, back});
   };
   channel(coil.slot.usable_area, *coil.needle, coil.layout, false);

@@ -354,10 +354,10 @@ Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& need
   });
 }
 
-std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halvings, double enough,
-                                              const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles,
-                                              double tolerance, Progress progress) {
-  check(needle, tolerance);
+std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halvings, const NeedleShape& needle,
+                                              const std::vector<const Obstacle*>& obstacles,
+                                              const ClearanceResolution& resolution, Progress progress) {
+  check(needle, resolution.tolerance);
   std::vector<PieceInterval> intervals{PieceInterval(piece)};
   for (int i = 0; i < halvings; ++i) {
     std::vector<PieceInterval> halves;
@@ -366,17 +366,18 @@ std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halv
   }
   std::vector<Clearance> list;
   for (const PieceInterval& each : intervals) {
-    ClearanceSearch<PieceInterval> search(needle, obstacles, tolerance, progress, enough);
+    ClearanceSearch<PieceInterval> search(needle, obstacles, resolution.tolerance, progress, resolution.enough);
     list.push_back(search.over(1, [&](std::size_t) { return each; }));
     list.back().move = list.size() - 1;
   }
   return list;
 }
 
-double clearance_up_to(double enough, std::span<const BezierPiece> pieces, const NeedleShape& needle,
-                       const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress) {
-  check(needle, tolerance);
-  ClearanceSearch<PieceInterval> search(needle, obstacles, tolerance, progress, enough);
+double clearance_up_to(std::span<const BezierPiece> pieces, const NeedleShape& needle,
+                       const std::vector<const Obstacle*>& obstacles, const ClearanceResolution& resolution,
+                       Progress progress) {
+  check(needle, resolution.tolerance);
+  ClearanceSearch<PieceInterval> search(needle, obstacles, resolution.tolerance, progress, resolution.enough);
   return search.over(pieces.size(), [&](std::size_t n) { return PieceInterval(pieces[n]); }).minimum;
 }
 

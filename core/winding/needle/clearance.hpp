@@ -42,15 +42,22 @@ Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& nee
 Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& needle,
                     const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress);
 
+/// What a search has to tell apart, mm. Not to distinguish large clearances takes far less time than to find the least.
+struct ClearanceResolution {
+  double enough;     ///< clearances above it are not distinguished from it
+  double tolerance;  ///< largest error of a clearance below it; 1e-6 at least
+};
+
 /// Returns the least clearance in each of 2^`halvings` intervals of a piece, which are equal in its parameter, as the
 /// search above does; or `enough` where it is nowhere less. `move` is the index of the interval.
-std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halvings, double enough,
-                                              const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles,
-                                              double tolerance, Progress progress);
+std::vector<Clearance> clearance_in_intervals(const BezierPiece& piece, int halvings, const NeedleShape& needle,
+                                              const std::vector<const Obstacle*>& obstacles,
+                                              const ClearanceResolution& resolution, Progress progress);
 
 /// Returns the least clearance along the pieces, mm, or `enough` if it is nowhere less than that by more than
-/// `tolerance`. The search does not distinguish larger clearances, which takes far less time than the least one.
-double clearance_up_to(double enough, std::span<const BezierPiece> pieces, const NeedleShape& needle,
-                       const std::vector<const Obstacle*>& obstacles, double tolerance, Progress progress);
+/// `tolerance`.
+double clearance_up_to(std::span<const BezierPiece> pieces, const NeedleShape& needle,
+                       const std::vector<const Obstacle*>& obstacles, const ClearanceResolution& resolution,
+                       Progress progress);
 
 }  // namespace bahnwerk::winding

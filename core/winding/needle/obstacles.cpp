@@ -108,11 +108,11 @@ Solid StatorIron::solid(double tolerance) const {
   return solid;
 }
 
-Block::Block(double azimuth, double inner, double outer, double left, double right, double low, double high)
+Block::Block(double azimuth, const Extent& extent)
     : outwards_(azimuth),
       inwards_(-azimuth),
-      middle_{(inner + outer) / 2, (left + right) / 2, (low + high) / 2},
-      half_{(outer - inner) / 2, (right - left) / 2, (high - low) / 2} {}
+      middle_{(extent.inner + extent.outer) / 2, (extent.left + extent.right) / 2, (extent.low + extent.high) / 2},
+      half_{(extent.outer - extent.inner) / 2, (extent.right - extent.left) / 2, (extent.high - extent.low) / 2} {}
 
 double Block::distance(Vec3 p) const {
   const Vec3 d = turned(p, inwards_) - middle_;
@@ -161,8 +161,12 @@ std::vector<Block> tool_posts(const StatorPart& part, const ToolPost& post, Coil
     // Tools are shifted towards the coil's middle.
     const double azimuth = (coil.first + (second ? coil.span : 0)) * part.pitch(), at = second ? -shift : shift;
     for (const bool top : {false, true})
-      posts.emplace_back(azimuth, r - post.thickness, r, at - post.width / 2, at + post.width / 2,
-                         top ? part.heads.stack : -post.height, top ? part.heads.stack + post.height : 0.0);
+      posts.emplace_back(azimuth, Block::Extent{.inner = r - post.thickness,
+                                                .outer = r,
+                                                .left = at - post.width / 2,
+                                                .right = at + post.width / 2,
+                                                .low = top ? part.heads.stack : -post.height,
+                                                .high = top ? part.heads.stack + post.height : 0.0});
   }
   return posts;
 }

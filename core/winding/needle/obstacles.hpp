@@ -90,9 +90,14 @@ class OneSlot final : public Obstacle {
 /// A block across a radius, such as a winding tool's post.
 class Block final : public Obstacle {
  public:
-  /// The block is about the point at `azimuth`: from `inner` to `outer` mm along the radius there, from `left` to
-  /// `right` mm across it (counterclockwise positive), from `low` to `high` along the axis.
-  Block(double azimuth, double inner, double outer, double left, double right, double low, double high);
+  /// The extent of a block, mm.
+  struct Extent {
+    double inner, outer;  ///< distances from the axis, along the radius
+    double left, right;   ///< distances from the radius, across it, counterclockwise positive
+    double low, high;     ///< heights, along the axis
+  };
+  /// The block is about the radius at `azimuth`, rad.
+  Block(double azimuth, const Extent& extent);
   double distance(Vec3 p) const override;
   bool convex() const override { return true; }
   Vec3 away(Vec3 p) const override;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -112,18 +113,24 @@ Expected<FixedPiece, NoSupport> head(const Passage& p, double sense, bool top, d
   return piece;
 }
 
-/// Computes the ends of a line in a laying region. `leading(place, along)` is the support point of a wire over `place`;
-/// `standing(pose)` is the clearance of the needle there and `between(begin, end)` that along the line, mm. Reports
-/// `stage_progress`. Returns why there are none.
-template <class Leading, class Standing, class Between>
-std::optional<NoSupport> set_ends(FixedPiece& piece, const Passage& p, Vec3 across, const NeedleModel& model,
-                                  const Leading& leading, const Standing& standing, const Between& between,
-                                  ProgressScope& stage_progress) {
+/// A laying region in which the needle moves along a line.
+struct LineRegion {
+  Vec3 across;  ///< unit vector along which the wire's direction is changed for more distance
+  /// Returns the support point of a wire that runs in a direction over a place.
+  std::function<Expected<SupportPoint, NoSupport>(Vec3 place, Vec3 along)> leading;
+  std::function<double(const NeedlePose& pose)> standing;  ///< clearance of the needle, mm
+  /// Returns the clearance of the needle along a line, mm.
+  std::function<double(const NeedlePose& begin, const NeedlePose& end)> between;
+};
+
+/// Computes the ends of a line in a laying region. Reports `stage_progress`. Returns why there are none.
+std::optional<NoSupport> set_ends(FixedPiece& piece, const Passage& p, const LineRegion& region,
+                                  const NeedleModel& model, ProgressScope& stage_progress) {
   const std::optional<Vec3> in = direction(p.held, p.begin), out = direction(p.begin, p.end);
   if (!in || !out) return NoSupport::no_distance;
   const auto over = [&](Vec3 place, Vec3 along) {
     stage_progress.work(units_per_tip);
-    return leading(place, along);
+    return region.leading(place, along);
   };
   const auto begin = [&](Vec3 along) { return over(p.begin, along); };
   const auto end = [&](Vec3 along) { return over(p.end, along); };
@@ -137,13 +144,13 @@ std::optional<NoSupport> set_ends(FixedPiece& piece, const Passage& p, Vec3 acro
   };
   if (const auto none = take(begin(*in), end(*out)); none || !model.shape) return none;
   // Each end has to increase its distance by what the line lacks.
-  double at_begin = standing(piece.begin.pose), at_end = standing(piece.end.pose);
+  double at_begin = region.standing(piece.begin.pose), at_end = region.standing(piece.end.pose);
   for (int round = 0; round < 8; ++round) {
-    const double lacking = model.clearance + margin - between(piece.begin.pose, piece.end.pose);
+    const double lacking = model.clearance + margin - region.between(piece.begin.pose, piece.end.pose);
     if (!(lacking > lack_exact)) break;
     at_begin += lacking, at_end += lacking;
-    if (const auto none =
-            take(kept_clear(*in, across, begin, standing, at_begin), kept_clear(*out, across, end, standing, at_end)))
+    if (const auto none = take(kept_clear(*in, region.across, begin, region.standing, at_begin),
+                               kept_clear(*out, region.across, end, region.standing, at_end)))
       return none;
   }
   return std::nullopt;
@@ -186,18 +193,19 @@ Expected<std::vector<FixedPiece>, NoSupport> support_points(const StatorPart& pa
       } else {
         const double slot = slot_azimuth(part, coil.first + (j == 2 ? coil.span : 0));
         const OneSlot own(iron, slot);
-        const auto between = [&](const NeedlePose& from, const NeedlePose& to) {
-          return slot_room(from, to, 0, part.heads.stack, *model.shape, own);
-        };
-        const auto standing = [&](const NeedlePose& pose) {
-          return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, own);
-        };
-        const Vec3 pivot = opening * radial(slot), across = radial(slot + pi / 2);
-        const auto leading = [&](Vec3 place, Vec3 along) {
+        const Vec3 pivot = opening * radial(slot);
+        LineRegion region;
+        region.across = radial(slot + pi / 2);
+        region.leading = [&](Vec3 place, Vec3 along) {
           return slot_support(place, along, rho, length, pivot, model.pivot_limit);
         };
-        if (const auto none = set_ends(piece, p, across, model, leading, standing, between, stage_progress))
-          return *none;
+        region.standing = [&](const NeedlePose& pose) {
+          return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, own);
+        };
+        region.between = [&](const NeedlePose& from, const NeedlePose& to) {
+          return slot_room(from, to, 0, part.heads.stack, *model.shape, own);
+        };
+        if (const auto none = set_ends(piece, p, region, model, stage_progress)) return *none;
       }
       piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
       pieces.add(piece);
@@ -240,12 +248,14 @@ Expected<std::vector<FixedPiece>, NoSupport> support_points(const RotorPart& par
       const auto pole = std::lround(azimuth(p.begin + p.end) / part.pitch()) + part.poles;
       const Wall& wall = walls[2 * (static_cast<std::size_t>(pole % part.poles)) + (j == 3)];
       const OneSlot own(iron, (std::floor(azimuth(p.begin) / part.pitch()) + 0.5) * part.pitch());
-      const auto between = [&](const NeedlePose& from, const NeedlePose& to) {
+      LineRegion region;
+      region.leading = leading;
+      region.between = [&](const NeedlePose& from, const NeedlePose& to) {
         return slot ? slot_room(from, to, -part.heads.cap_base, part.heads.stack + part.heads.cap_base, *model.shape,
                                 own)
                     : room(from, to, *model.shape, {&iron, &wall});
       };
-      const auto standing = [&](const NeedlePose& pose) {
+      region.standing = [&](const NeedlePose& pose) {
         if (slot) return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, own);
         // Along an end cap the needle continues to the middle of the pole.
         NeedlePose to = pose;
@@ -254,9 +264,9 @@ Expected<std::vector<FixedPiece>, NoSupport> support_points(const RotorPart& par
         return room(pose, to, *model.shape, {&iron, &wall});
       };
       // The tip moves sideways across a slot, along the part's axis across an end cap.
-      const Vec3 across = slot ? radial(azimuth(p.begin) + pi / 2) : Vec3{0, 0, 1};
+      region.across = slot ? radial(azimuth(p.begin) + pi / 2) : Vec3{0, 0, 1};
       FixedPiece piece;
-      if (const auto none = set_ends(piece, p, across, model, leading, standing, between, stage_progress)) return *none;
+      if (const auto none = set_ends(piece, p, region, model, stage_progress)) return *none;
       piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
       pieces.add(piece);
     }

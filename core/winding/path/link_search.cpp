@@ -80,25 +80,25 @@ FoundLink LinkSearch::again(const LinkEnds& ends, const std::optional<FoundLink>
   return found.best.smoothness <= 1.5 * known->best.smoothness ? found : search(ends, objective, progress);
 }
 
-/// Searches with a quadrature rule; `seen` becomes J by that rule.
-FoundLink LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& start,
-                         LinkObjective objective, std::size_t evaluations, Progress progress, double& seen) const {
-  FoundLink found{best_link(rule, ends, objective, options_.weights, start, progress, evaluations), objective, 0};
-  seen = found.best.smoothness;
+/// Searches with a quadrature rule.
+LinkSearch::ByRule LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const BestLinkOptions& options,
+                                  Progress progress) const {
+  FoundLink found{best_link(rule, ends, options, progress), options.objective, 0};
+  const double seen = found.best.smoothness;
   found.bend = sharpest_curvature(link(options_.continuity, ends, found.best.shape));
   const double j = smoothness(fine_rule_, ends, found.best.shape, options_.weights);
   found.best.smoothness = j < unusable ? std::max(j, options_.weights.rate * found.bend) : unusable;
-  return found;
+  return {found, seen};
 }
 
 /// A bend so sharp that it lies between the nodes of the quadrature looks smooth; if a finer rule gives a larger J, the
 /// search is repeated with that rule.
 FoundLink LinkSearch::solve(const LinkEnds& ends, const LinkShape& start, LinkObjective objective,
                             std::size_t evaluations, Progress progress) const {
-  double seen = 0;
-  const FoundLink found = by(rule_, ends, start, objective, evaluations, progress, seen);
-  return found.best.smoothness <= 1.05 * seen ? found
-                                              : by(fine_rule_, ends, start, objective, evaluations, progress, seen);
+  const BestLinkOptions options{objective, options_.weights, start, evaluations};
+  const ByRule found = by(rule_, ends, options, progress);
+  return found.link.best.smoothness <= 1.05 * found.smoothness ? found.link
+                                                               : by(fine_rule_, ends, options, progress).link;
 }
 
 /// Searches from several starts: links that leave their neighbours' tangents early or late. (4.60) prefers a wide loop,

@@ -50,8 +50,11 @@ class LinkSearch {
                   Progress progress) const;
   FoundLink solve(const LinkEnds& ends, const LinkShape& start, LinkObjective objective, std::size_t evaluations,
                   Progress progress) const;
-  FoundLink by(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& start, LinkObjective objective,
-               std::size_t evaluations, Progress progress, double& seen) const;
+  struct ByRule {
+    FoundLink link;
+    double smoothness = 0;  // J by the rule of the search
+  };
+  ByRule by(const SmoothnessRule& rule, const LinkEnds& ends, const BestLinkOptions& options, Progress progress) const;
   FoundLink search(const LinkEnds& ends, LinkObjective objective, Progress progress) const;
 
   const LinkOptions& options_;

@@ -26,11 +26,11 @@ PostPassage::PostPassage(const StatorPart& part, const std::vector<Coil>& coils,
 double PostPassage::from_posts(std::size_t coil, std::span<const BezierPiece> pieces, Progress progress) const {
   const auto& all = obstacles_.at(coil).list();
   const std::vector<const Obstacle*> posts(all.begin() + 1, all.end());  // the stack is first
-  return clearance_up_to(enough(), pieces, needle_, posts, tolerance, progress);
+  return clearance_up_to(pieces, needle_, posts, {enough(), tolerance}, progress);
 }
 
 double PostPassage::from_all(std::size_t coil, std::span<const BezierPiece> pieces, Progress progress) const {
-  return clearance_up_to(enough(), pieces, needle_, obstacles_.at(coil).list(), tolerance, progress);
+  return clearance_up_to(pieces, needle_, obstacles_.at(coil).list(), {enough(), tolerance}, progress);
 }
 
 ExtraPoint PostPassage::beside(const Way& way, std::size_t place) const {

@@ -35,12 +35,12 @@ std::vector<Vec> chords(int n, const std::vector<int>& reversals = {}) {
 struct Smoothable {
   explicit Smoothable(const std::vector<Vec>& points) : contour(polyline(2, points, false, unlimited)) {
     auto list = element_runs(contour.path, 0, contour.path.size(), std::vector<std::size_t>(contour.path.size(), 0),
-                             1e-6, 4.0, silent_scope());
+                             {1e-6, 4.0}, silent_scope());
     EXPECT_EQ(list.size(), 1u);
     stretch = list[0];
   }
   SmoothedRun smoothed(double a, double b, bool rests = false) const {
-    return smooth_run(stretch, {a, b, false, false}, {}, {0.97 * tolerance, tolerance}, 2, rests, silent_scope());
+    return smooth_run(stretch, {a, b, false, false}, {}, {{0.97 * tolerance, tolerance}, 2, rests}, silent_scope());
   }
   Contour contour;
   ElementRun stretch;

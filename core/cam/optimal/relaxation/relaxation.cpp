@@ -55,10 +55,15 @@ struct Attempt {
   bool converged = false;
 };
 
-/// Solves the program, starting with the known law with its peaks `above` times what they are, and slacks of `slack` at
-/// least.
+/// Where the interior-point method starts from a known law.
+struct Start {
+  double above;  ///< multiple of the law's peaks
+  double slack;  ///< least slack of a row
+};
+
+/// Solves the program, starting from the known law.
 Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& law, const RelaxationOptions& options,
-              double above, double slack, Progress progress) {
+              const Start& start, Progress progress) {
   BorderedBand& band = program.band();
   const RelaxationGrid& grid = program.grid();
   InteriorPoint point;
@@ -73,8 +78,8 @@ Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& l
   for (std::size_t r = 1; r < limited_orders; ++r)
     if (program.counted(r)) {
       for (std::size_t group = 0; group < task.groups.count(); ++group)
-        point.x[program.peak_variable(group, r)] = above * (task.largest_peak ? law.objective() : 1);
-      if (const auto any = program.any_peak_variable(r)) point.x[*any] = (1 + above) / 2;
+        point.x[program.peak_variable(group, r)] = start.above * (task.largest_peak ? law.objective() : 1);
+      if (const auto any = program.any_peak_variable(r)) point.x[*any] = (1 + start.above) / 2;
     }
   point.y.assign(band.equality_side().size(), 0);
   std::vector<double> gx(g.size()), ex(point.y.size());
@@ -83,7 +88,7 @@ Attempt solve(RelaxationProgram& program, const LawTask& task, const KnownLaw& l
   point.z.resize(g.size());
   double share = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
-    point.s[i] = std::max(g[i] - gx[i], slack);
+    point.s[i] = std::max(g[i] - gx[i], start.slack);
     share += 1 / point.s[i];
   }
   for (std::size_t i = 0; i < g.size(); ++i) point.z[i] = 1 / share / point.s[i];
@@ -104,10 +109,10 @@ double relaxation_bound(const LawTask& task, const std::vector<Range>& ranges, c
   std::vector<Range> ascending = ranges;
   tighten(task, ascending);
   RelaxationProgram program(task, ascending, law, options.cells);
-  const Attempt near = solve(program, task, law, options, 1.1, 0.01, progress);
+  const Attempt near = solve(program, task, law, options, {1.1, 0.01}, progress);
   if (near.converged) return near.bound;
   // Factorisations may fail before the end: from farther inside they are others.
-  return std::max(near.bound, solve(program, task, law, options, 2, 0.1, progress).bound);
+  return std::max(near.bound, solve(program, task, law, options, {2, 0.1}, progress).bound);
 }
 
 }  // namespace bahnwerk::cam

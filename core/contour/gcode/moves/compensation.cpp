@@ -97,7 +97,7 @@ void Compensation::offset(Vec to, Vec centre, ArcMove how) {
     const double sense = how.counter_clockwise ? 1 : -1;
     const double sweep = std::abs(arc.sweep()) + turn * static_cast<double>(how.turns - 1);
     if (!last_ && !lead_) return lead_in(to, sense * left_of(flat(to) - arc.centre()), sense);
-    const auto piece = offset_arc(from, to, arc.centre(), sense, sweep, aside_, slack);
+    const auto piece = offset_arc({from, to, arc.centre(), sense, sweep}, aside_, slack);
     if (piece) return add({*piece, here, to.z, how.tolerance});
     fault(here.line, "the arc is narrower than the cutter (G41, G42): it would be gouged");
   } catch (const InvalidInput& e) {

@@ -100,8 +100,8 @@ OffsetPiece offset_line(Vec from, Vec to, double aside) {
   return piece;
 }
 
-std::optional<OffsetPiece> offset_arc(Vec from, Vec to, Vec centre, double sense, double sweep, double aside,
-                                      double slack) {
+std::optional<OffsetPiece> offset_arc(const PlaneArc& arc, double aside, double slack) {
+  auto [from, to, centre, sense, sweep] = arc;
   from.z = to.z = centre.z = 0;
   OffsetPiece piece;
   const double radius = norm(from - centre), left = radius - sense * aside;

@@ -34,9 +34,14 @@ struct OffsetPiece {
 
 /// Returns the offset line. `aside` in mm, positive to the left. The ends must differ.
 OffsetPiece offset_line(Vec from, Vec to, double aside);
-/// Returns the offset arc about its centre, `sweep` > 0; nothing if it is more than `slack` mm too narrow.
-std::optional<OffsetPiece> offset_arc(Vec from, Vec to, Vec centre, double sense, double sweep, double aside,
-                                      double slack);
+/// A programmed arc of the plane; z is ignored.
+struct PlaneArc {
+  Vec from, to, centre;
+  double sense = 1;  ///< 1 counter-clockwise, −1 clockwise
+  double sweep = 0;  ///< rad, positive; over 2π for several turns
+};
+/// Returns the arc offset by `aside` mm, positive to the left; nothing if it is more than `slack` mm too narrow.
+std::optional<OffsetPiece> offset_arc(const PlaneArc& arc, double aside, double slack);
 
 /// A crossing of two pieces.
 struct Meeting {

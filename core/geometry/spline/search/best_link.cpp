@@ -12,13 +12,14 @@ constexpr double uniqueness = 1e-2;
 
 }  // namespace
 
-BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
-                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress progress,
-                   std::size_t max_evaluations) {
+BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, const BestLinkOptions& options,
+                   Progress progress) {
+  const SmoothnessWeights& weights = options.weights;
+  const std::optional<LinkShape>& start = options.start;
   const LinkVariables variables(rule.continuity(), ends);
   const LinkEnds& scaled = variables.ends();
   const double chord = variables.chord();
-  const bool distance = objective == LinkObjective::control_distance;
+  const bool distance = options.objective == LinkObjective::control_distance;
 
   const std::vector<double> first = start ? variables.of(*start) : variables.straight();
   const std::vector<double> held = start ? start->weights : std::vector<double>();
@@ -55,9 +56,9 @@ BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, LinkObjecti
     }
     return f;
   };
-  OptimisationOptions options;
-  options.max_evaluations = max_evaluations;
-  const auto result = minimise(problem, first, options, progress);
+  OptimisationOptions search;
+  search.max_evaluations = options.max_evaluations;
+  const auto result = minimise(problem, first, search, progress);
 
   BestLink best;
   const bool better = !result.x.empty() && result.objective <= problem.objective(first, {});

@@ -21,14 +21,20 @@ struct BestLink {
   std::size_t evaluations = 0;
 };
 
+struct BestLinkOptions {
+  LinkObjective objective = LinkObjective::curvature;
+  SmoothnessWeights weights;  ///< weights of J (4.60)
+  /// A good shape for similar ends (the turn before); without one the search starts from links with the chord's length
+  /// as speed. Weights are taken from it and constant.
+  std::optional<LinkShape> start = std::nullopt;
+  std::size_t max_evaluations = 2000;  ///< of the objective, about 6 µs each for k = 3
+};
+
 /// Returns a local minimum, found by sequential quadratic programming with analytic gradients; never worse than its
-/// start. `start` is a good shape for similar ends (the turn before); without one the search starts from links with the
-/// chord's length as speed. Weights are taken from it and constant.
+/// start.
 ///
 /// Variables and their bounds: link_variables.hpp. (4.61) has a set of minima: 1e-2·chord·J/J(start) is added, which
-/// selects the smoothest of them. Throws what link() throws. Ends after max_evaluations, of about 6 µs each for k = 3.
-BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
-                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress progress,
-                   std::size_t max_evaluations = 2000);
+/// selects the smoothest of them. Throws what link() throws.
+BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, const BestLinkOptions& options, Progress progress);
 
 }  // namespace bahnwerk

@@ -15,7 +15,7 @@ namespace {
 std::vector<ElementRun> corner(double turn) {
   static Contour kept;
   kept = polyline(2, {{}, {10, 0, 0}, {10 + 10 * std::cos(turn), 10 * std::sin(turn), 0}}, false, 1);
-  return element_runs(kept.path, 0, 2, {0, 0}, 1e-6, 3, silent_scope());
+  return element_runs(kept.path, 0, 2, {0, 0}, {1e-6, 3}, silent_scope());
 }
 
 TEST(BlendCorner, ReachBetweenLinesIsExact) {
@@ -37,7 +37,7 @@ TEST(BlendCorner, ThreeDerivativesInCommon) {
   c.path.append(std::make_shared<Arc>(Arc({0, 5, 0}, {0, -1, 0}, {1, 0, 0}, 5, 1.2)), 0);
   const Vec end = c.path[0].curve().at(1).value;
   c.path.append(std::make_shared<Arc>(Arc(end - Vec{8, 0, 0}, {1, 0, 0}, {0, -1, 0}, 8, 0.7)), 0);
-  const auto s = element_runs(c.path, 0, 2, {0, 0}, 1e-6, 3, silent_scope());
+  const auto s = element_runs(c.path, 0, 2, {0, 0}, {1e-6, 3}, silent_scope());
   const Element &a = s[0].elements[0], &b = s[0].elements[1];
   const Rational curve = corner_curve(a, 0.4, b, 0.3);
   const Jet begin = by_arc_length(curve.at(0)), finish = by_arc_length(curve.at(1));
@@ -53,7 +53,7 @@ TEST(BlendCorner, ThreeDerivativesInCommon) {
 TEST(BlendCorner, CurvatureJumpStaysWithinItsEstimate) {
   Contour c = polyline(2, {{}, {20, 0, 0}}, false, 1);
   c.path.append(std::make_shared<Arc>(Arc({20, 10, 0}, {0, -1, 0}, {1, 0, 0}, 10, 1.5)), 1);
-  const auto s = element_runs(c.path, 0, 2, {0, 0}, 1e-6, 3, silent_scope());
+  const auto s = element_runs(c.path, 0, 2, {0, 0}, {1e-6, 3}, silent_scope());
   const Element &a = s[0].elements[0], &b = s[0].elements[1];
   const JointShape shape = joint_shape(a, b);
   EXPECT_EQ(shape.turn, 0);

@@ -14,7 +14,7 @@ namespace {
 
 TEST(BlendElements, CutsAtReversals) {
   const Contour c = polyline(2, {{}, {10, 0, 0}, {5, 0, 0}, {5, 5, 0}}, false, 1);
-  const auto list = element_runs(c.path, 0, 3, {0, 0, 0}, 1e-6, 3, silent_scope());
+  const auto list = element_runs(c.path, 0, 3, {0, 0, 0}, {1e-6, 3}, silent_scope());
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0].elements.size(), 1u);
   EXPECT_NEAR(list[1].length(), 10, 1e-12);
@@ -26,7 +26,7 @@ TEST(BlendElements, MergesTinyLinesAndKeepsTheEnds) {
   for (int i = 0; i <= 1000; ++i) points.push_back({0.001 * i, 0.0002 * (i % 2), 0});
   const Contour c = polyline(2, points, false, 1);
   const auto list =
-      element_runs(c.path, 0, c.path.size(), std::vector<std::size_t>(c.path.size(), 0), 0.01, 3.1, silent_scope());
+      element_runs(c.path, 0, c.path.size(), std::vector<std::size_t>(c.path.size(), 0), {0.01, 3.1}, silent_scope());
   ASSERT_EQ(list.size(), 1u);
   const auto& elements = list[0].elements;
   EXPECT_LT(elements.size(), 120u);
@@ -50,7 +50,7 @@ TEST(BlendElements, BothDirectionsKeepTheSameVertices) {
   const auto vertices = [](const std::vector<Vec>& of) {
     const Contour c = polyline(2, of, false, 1);
     const std::vector<std::size_t> blocks(c.path.size(), 0);
-    const std::vector<ElementRun> runs = element_runs(c.path, 0, c.path.size(), blocks, 0.01, 3.1, silent_scope());
+    const std::vector<ElementRun> runs = element_runs(c.path, 0, c.path.size(), blocks, {0.01, 3.1}, silent_scope());
     std::vector<Vec> list;
     for (const Element& e : runs.at(0).elements) list.push_back(e.at(0).value);
     return list;
@@ -79,7 +79,7 @@ TEST(BlendElements, NoBlockIsMergedAway) {
   std::vector<std::size_t> blocks;
   for (std::size_t i = 0; i < c.path.size(); ++i) blocks.push_back(std::min<std::size_t>(i, 50) + (i > 51 ? 1 : 0));
   std::vector<bool> kept(blocks.back() + 1, false);
-  for (const ElementRun& s : element_runs(c.path, 0, c.path.size(), blocks, 0.01, 3, silent_scope()))
+  for (const ElementRun& s : element_runs(c.path, 0, c.path.size(), blocks, {0.01, 3}, silent_scope()))
     for (const Element& e : s.elements) kept[e.block] = true;
   for (std::size_t b = 0; b < kept.size(); ++b) EXPECT_TRUE(kept[b]) << b;
 }
@@ -91,7 +91,7 @@ TEST(BlendElements, PartsLieOnTheirCurves) {
   b.nurbs(3, {{10, 10, 4}, {5, 14, 4}, {0, 12, 0}, {-5, 8, 1}}, {1, 2, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1});
   const Contour c = b.finish();
   const auto list =
-      element_runs(c.path, 0, c.path.size(), std::vector<std::size_t>(c.path.size(), 0), 1e-6, 3, silent_scope());
+      element_runs(c.path, 0, c.path.size(), std::vector<std::size_t>(c.path.size(), 0), {1e-6, 3}, silent_scope());
   ASSERT_EQ(list.size(), 1u);
   for (const Element& e : list[0].elements) {
     const auto curve = e.part(0.2 * e.length, 0.7 * e.length);

@@ -15,7 +15,7 @@ const Ability fast{1800, 16000, HUGE_VAL, 1.8};
 
 std::vector<Change> changes(const Contour& c, double tolerance, double tiny = 1e-6) {
   const auto list =
-      element_runs(c.path, 0, c.path.size(), std::vector<std::size_t>(c.path.size(), 0), tiny, 3.0, silent_scope());
+      element_runs(c.path, 0, c.path.size(), std::vector<std::size_t>(c.path.size(), 0), {tiny, 3.0}, silent_scope());
   EXPECT_EQ(list.size(), 1u);
   return lay_out(list[0], tolerance, std::vector<Ability>(list[0].elements.size(), fast), silent_scope());
 }

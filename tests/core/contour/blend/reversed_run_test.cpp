@@ -18,7 +18,7 @@ struct Hook {
     backwards ? b.arc({10, 0, 0}, {10, 4, 0}, false) : b.arc({14, 4, 0}, {10, 4, 0}, true);
     b.line(backwards ? Vec{0, 0, 0} : Vec{14, 30, 0});
     contour = b.finish();
-    stretch = element_runs(contour.path, 0, 3, {0, 0, 0}, 1e-6, 4.0, silent_scope()).front();
+    stretch = element_runs(contour.path, 0, 3, {0, 0, 0}, {1e-6, 4.0}, silent_scope()).front();
   }
   Contour contour;
   ElementRun stretch;

@@ -20,7 +20,7 @@ struct Bent {
     b.arc({15, 5, 0}, {20, 5, 0}, true);
     b.line({15, -15, 0});
     contour = b.finish();
-    stretch = element_runs(contour.path, 0, 3, {0, 0, 0}, 1e-6, 4.0, silent_scope()).front();
+    stretch = element_runs(contour.path, 0, 3, {0, 0, 0}, {1e-6, 4.0}, silent_scope()).front();
   }
   Contour contour;
   ElementRun stretch;

@@ -22,7 +22,7 @@ Grid<2> grid_of(const Contour& contour, const GridOptions& options = {}) {
   Progress progress;
   ProgressScope stage_progress(progress, "planning");
   const CartesianAxisPath axes(contour.path, 2);
-  grid.build(LanePath<2>(axes), 0, contour.path.size(), contour.feeds(), bahnwerk::testing::two_axes(), options,
+  grid.build(LanePath<2>(axes), 0, contour.path.size(), {bahnwerk::testing::two_axes(), contour.feeds()}, options,
              stage_progress);
   return grid;
 }
@@ -77,7 +77,7 @@ TEST(Grid, AxesThatTurnTogetherPartACellOnce) {
     Progress progress;
     ProgressScope stage_progress(progress, "planning");
     const CartesianAxisPath axes(contour.path, 3);
-    grid.build(LanePath<3>(axes), 0, contour.path.size(), contour.feeds(), machine, {}, stage_progress);
+    grid.build(LanePath<3>(axes), 0, contour.path.size(), {machine, contour.feeds()}, {}, stage_progress);
     for (std::size_t c = 0; c < grid.cells.size(); ++c) ASSERT_GT(grid.length(c), 1e-6) << i << ", cell " << c;
   }
 }

@@ -36,7 +36,8 @@ TEST(JerkPeaks, OnALineTheyAreThoseOfTheLaw) {
   line.d1 = Lanes<2>{0.6, 0.8};
   RowLimits<2> limit;
   limit.inverse_velocity2 = {1e-4, 1e-4}, limit.inverse_acceleration = {0.01, 0.02}, limit.inverse_jerk = {1e-3, 1e-3};
-  const auto peaks = cell_peaks<2>(law, law.at(0.1).s, limit, 1 / 400.0, line, line, [&](double) { return line; });
+  const CellPlaces path{line, line, law.at(0.1).s, [&](double) { return line; }};
+  const auto peaks = cell_peaks(law, path, limit, 1 / 400.0);
   EXPECT_NEAR(peaks.acceleration[0], 0.6 * 50 * 0.01, 1e-12);
   EXPECT_NEAR(peaks.acceleration[1], 0.8 * 50 * 0.02, 1e-12);
   EXPECT_NEAR(peaks.jerk[1], 0.8 * 300 * 1e-3, 1e-12);

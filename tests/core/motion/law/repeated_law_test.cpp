@@ -34,7 +34,7 @@ TimeLaw law_twice() {
   TimeLaw twice = law();
   Progress silent;
   ProgressScope progress(silent, "test");
-  repeat_law(twice, 0, 3, path, 0, 3, 2, progress);
+  repeat_law(twice, path, {.from = 0, .to = 3, .source = 0, .copy = 3, .segments = 2}, progress);
   return twice;
 }
 

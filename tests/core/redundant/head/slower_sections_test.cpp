@@ -49,7 +49,8 @@ TEST(SlowerSections, FeedsFallUntilTheCoarseAxisCanFollow) {
       return;
     }
     const std::vector<double> before = section_limits.feeds;
-    for (const auto& c : clusters(chain, s, 1e-7)) lower_section_limits(law, cells, 0, axis, c, 1.25, section_limits);
+    for (const auto& c : clusters(chain, s, 1e-7))
+      lower_section_limits<2>(law, cells, {0, axis, c}, 1.25, section_limits);
     EXPECT_NE(section_limits.feeds, before);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LE(section_limits.feeds[i], before[i]);
   }

@@ -15,7 +15,7 @@ const AdaptationOptions constants;
 TEST(LimitAdaptation, CoarseExcessLowersTheNeighboursToo) {
   std::vector<double> limits(7, 60000);
   const std::vector<double> coarse{0, 0, 0, 20000, 0, 0, 0}, fine(7, 0);
-  EXPECT_TRUE(adapt(limits, 0, coarse, 16000, fine, 60000, 1, constants));
+  EXPECT_TRUE(adapt(limits, 0, {coarse, 16000}, {fine, 60000}, 1, constants));
   EXPECT_EQ(limits, std::vector<double>({60000, 58400, 57200, 56000, 57200, 58400, 60000}));
 }
 
@@ -24,7 +24,7 @@ TEST(LimitAdaptation, InProportionToTheCoarseExcess) {
   AdaptationOptions proportional;
   proportional.proportional = true;
   std::vector<double> limits(2, 60000);
-  EXPECT_TRUE(adapt(limits, 0, {20000, 0}, 16000, {0, 0}, 60000, 1, proportional));
+  EXPECT_TRUE(adapt(limits, 0, {{20000, 0}, 16000}, {{0, 0}, 60000}, 1, proportional));
   EXPECT_NEAR(limits[0], 48000, 1e-9);
   EXPECT_NEAR(limits[1], 60000 - 0.7 * 12000, 1e-9);
 }
@@ -44,7 +44,7 @@ TEST(LimitAdaptation, WithLargerStepsMoreFallsFromPassToPass) {
 
 TEST(LimitAdaptation, FineExcessLowersItsBlock) {
   std::vector<double> limits(3, 60000);
-  EXPECT_TRUE(adapt(limits, 0, {0, 0, 0}, 16000, {0, 62000, 60000}, 60000, 1, constants));
+  EXPECT_TRUE(adapt(limits, 0, {{0, 0, 0}, 16000}, {{0, 62000, 60000}, 60000}, 1, constants));
   EXPECT_EQ(limits, std::vector<double>({60000, 57700, 60000}));
 }
 
@@ -52,11 +52,11 @@ TEST(LimitAdaptation, FineExcessLowersItsBlock) {
 TEST(LimitAdaptation, TheAnchorHolds) {
   for (int iteration = 1; iteration <= 30; ++iteration) {
     std::vector<double> limits{60000};
-    adapt(limits, 0, {1e6}, 16000, {0}, 60000, iteration, constants);
+    adapt(limits, 0, {{1e6}, 16000}, {{0}, 60000}, iteration, constants);
     EXPECT_NEAR(limits[0], 16000 * std::max(1 - (iteration - 1) / 20.0, 0.05), 1e-9);
   }
   std::vector<double> low{500};  // below the anchor already: it does not rise
-  EXPECT_FALSE(adapt(low, 0, {1e6}, 16000, {0}, 60000, 1, constants));
+  EXPECT_FALSE(adapt(low, 0, {{1e6}, 16000}, {{0}, 60000}, 1, constants));
   EXPECT_EQ(low[0], 500);
 }
 
@@ -68,7 +68,8 @@ TEST(LimitAdaptation, NothingEverRises) {
     for (double& v : coarse) v = random.uniform(0, 20000);
     for (double& v : fine) v = random.uniform(0, 80000);
     const std::vector<double> before = limits;
-    const bool fell = adapt(limits, 3, coarse, 16000, fine, 60000, 1 + static_cast<int>(random.below(25)), constants);
+    const bool fell =
+        adapt(limits, 3, {coarse, 16000}, {fine, 60000}, 1 + static_cast<int>(random.below(25)), constants);
     bool any = false;
     for (std::size_t i = 0; i < limits.size(); ++i) {
       EXPECT_LE(limits[i], before[i]);

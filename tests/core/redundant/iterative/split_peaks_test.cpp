@@ -45,8 +45,8 @@ TEST(SplitPeaks, BoundWhatDenseSamplesShow) {
   }
   for (std::size_t k = 0; k < 2; ++k) {
     CellsBegin at;
-    const std::vector<SplitPeaks> bound = split_peaks(cells, head.law(), k, coarse, 0, n, at),
-                                  seen = sampled_peaks(samples, k, coarse, 0, n);
+    const std::vector<SplitPeaks> bound = split_peaks(cells, head.law(), k, coarse, {0, n}, at),
+                                  seen = sampled_peaks(samples, k, coarse, {0, n});
     ASSERT_EQ(bound.size(), n);
     for (std::size_t b = 0; b < n; ++b) {
       SCOPED_TRACE(b);

@@ -26,7 +26,7 @@ double bound(const Contour& contour, const Machine& machine) {
 double margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t n) {
   Progress silent;
   ProgressScope progress(silent, "test");
-  return repeat_margin(path, machine, feeds, 0, n, n, progress);
+  return repeat_margin(path, machine, feeds, {0, n, n}, progress);
 }
 double margin(const Contour& contour, const Machine& machine) {
   const CartesianAxisPath path(contour.path, 2);

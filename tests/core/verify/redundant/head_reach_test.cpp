@@ -29,7 +29,7 @@ TEST(HeadReach, AMoveFromRestIsLimitedByTheAxes) {
   const Contour c = contour();
   const CartesianAxisPath path(c.path, 2);
   const PathTask task = contour_task(path, c, machine);
-  const HeadReach reach = reached(task, sections, 0, 1, unlimited, 1);
+  const HeadReach reach = reached(task, sections, 0, 1, {});
   EXPECT_EQ(reach.until, unlimited);
   const auto boxes = reach_at(reach, 0, 0.01, 20);
   EXPECT_NEAR(boxes[0].highest, 1, 1e-6);  // the first piece
@@ -47,7 +47,7 @@ TEST(HeadReach, NeighboursTakeAtLeastTheirFeedsTheirBoundsAndTheirDwells) {
   const PathTask task = contour_task(path, c, machine);
   // Back from the rest behind the circle: 0.3 s at it if dwells count, then 100 mm/s, then the move.
   for (const double dwell : {0.0, 0.3}) {
-    const HeadReach reach = reached(task, sections, 2, 0, 2, 0.5, dwell > 0);
+    const HeadReach reach = reached(task, sections, 2, 0, {2, 0.5, dwell > 0});
     const auto boxes = reach_at(reach, 0, 0.01, 200);
     const auto at = [&](double t) { return boxes[static_cast<std::size_t>(std::lround((t + dwell) / 0.01))]; };
     EXPECT_NEAR(at(0.1).highest, 110 - 10 * std::cos(1), 0.6);  // 10 mm along the circle
@@ -62,7 +62,7 @@ TEST(HeadReach, WhatIsNotLookedAtIsUnlimited) {
   const Contour c = contour();
   const CartesianAxisPath path(c.path, 2);
   const PathTask task = contour_task(path, c, machine);
-  const HeadReach reach = reached(task, sections, 0, 3, 0.1, 1);
+  const HeadReach reach = reached(task, sections, 0, 3, {0.1, 1});
   EXPECT_LE(reach.until, 0.1);
   const auto boxes = reach_at(reach, 0, 0.05, 4);
   EXPECT_EQ(boxes[4].highest, unlimited);

@@ -19,7 +19,7 @@ const Opening opening{{5, 10}, {0, -1}, 4, 0};
 
 std::optional<std::size_t> first(double width, const std::vector<Point>& wires,
                                  Needle::Stand stand = Needle::Stand::middle) {
-  return first_out_of_reach(slot, opening, {width, stand}, 0.5, 0.02, wires, silent);
+  return first_out_of_reach(slot, opening, {width, stand}, {wires, 0.5, 0.02}, silent);
 }
 
 TEST(Opening, WireAndNeedleMustPassIt) {

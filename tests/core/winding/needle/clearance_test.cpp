@@ -37,7 +37,7 @@ TEST(Clearance, IsHalfOfThePlayInTheMiddleOfTheOpening) {
 }
 
 TEST(Clearance, IsFoundBetweenTheEndsOfAMove) {
-  const Block post(0, 10, 12, -1, 1, 0, 20);
+  const Block post(0, {.inner = 10, .outer = 12, .left = -1, .right = 1, .low = 0, .high = 20});
   // Past the post at 3 mm, with the needle along the axis; nearest in the middle of the move.
   NeedleMove past = still({15, -40, 10}, 0, -pi / 2);
   past.to.tip.y = 41;
@@ -230,7 +230,7 @@ TEST(Clearance, EqualsTheMinimumOfADenseSampleOfRationalPieces) {
 
 // Between two samples: a dip that lasts a thousandth of the piece.
 TEST(Clearance, AShortDipOfAPieceIsFound) {
-  const Block post(0, 10, 12, -1, 1, 0, 20);
+  const Block post(0, {.inner = 10, .outer = 12, .left = -1, .right = 1, .low = 0, .high = 20});
   // The tip rises as a parabola over a distance of 1000 mm, needle along the axis, its foremost point downwards.
   const double pointing_down = pi / 2;
   const BezierPiece dip({homogeneous({11, -517, 21 + 2.0 * 517 / 483 * 100, 0, pointing_down}, 1),
@@ -248,7 +248,7 @@ TEST(Clearance, AShortDipOfAPieceIsFound) {
 }
 
 TEST(Clearance, UpToAValueIsTheLeastClearanceOrThatValue) {
-  const Block post(0, 10, 12, -1, 1, 0, 20);
+  const Block post(0, {.inner = 10, .outer = 12, .left = -1, .right = 1, .low = 0, .high = 20});
   Random random(46);
   for (int n = 0; n < 200; ++n) {
     const auto pose = [&](double low) {
@@ -258,7 +258,7 @@ TEST(Clearance, UpToAValueIsTheLeastClearanceOrThatValue) {
     const std::vector<BezierPiece> pieces{BezierPiece::line(pose(4), pose(4))};
     const double least = clearance(pieces, {2, 30}, {&post}, 1e-3, silent).minimum;
     for (const double enough : {least - 1, least - 2e-3, least + 2e-3, least + 1}) {
-      const double found = clearance_up_to(enough, pieces, {2, 30}, {&post}, 1e-3, silent);
+      const double found = clearance_up_to(pieces, {2, 30}, {&post}, {enough, 1e-3}, silent);
       EXPECT_NEAR(found, std::min(least, enough), 1e-3 + 1e-9);
       EXPECT_LE(found, enough);
     }
@@ -266,7 +266,7 @@ TEST(Clearance, UpToAValueIsTheLeastClearanceOrThatValue) {
 }
 
 TEST(Clearance, IsInfiniteWithoutPieces) {
-  const Block post(0, 10, 12, -1, 1, 0, 20);
+  const Block post(0, {.inner = 10, .outer = 12, .left = -1, .right = 1, .low = 0, .high = 20});
   EXPECT_TRUE(std::isinf(clearance(std::vector<BezierPiece>{}, {2.6, 60}, {&post}, 0.01, silent).minimum));
   const std::vector<BezierPiece> still{BezierPiece::line({20, 0, 5, pi, 0}, {20, 0, 5, pi, 0})};
   EXPECT_NEAR(clearance(still, {2, 60}, {&post}, 1e-6, silent).minimum, 8, 1e-6) << "a piece without length";

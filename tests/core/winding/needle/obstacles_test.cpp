@@ -92,7 +92,8 @@ TEST(StatorIron, SharpTipsAndImpossibleBores) {
 }
 
 TEST(Block, DistanceInClosedForm) {
-  const Block block(pi / 2, 10, 14, -1, 3, 0, 6);  // along y; left is −x
+  const Block block(pi / 2,
+                    {.inner = 10, .outer = 14, .left = -1, .right = 3, .low = 0, .high = 6});  // along y; left is −x
   EXPECT_NEAR(block.distance({-1, 12, 3}), -2, 1e-12);
   EXPECT_NEAR(block.distance({-1, 12, 7}), 1, 1e-12);
   EXPECT_NEAR(block.distance({1 + 3, 14 + 4, 3}), 5, 1e-12) << "off an edge";
@@ -102,7 +103,7 @@ TEST(Block, DistanceInClosedForm) {
 
 TEST(Block, LiesBehindThePlaneAtItsNearestPoint) {
   Random random(9);
-  const Block block(0.4, 10, 14, -1, 3, 0, 6);
+  const Block block(0.4, {.inner = 10, .outer = 14, .left = -1, .right = 3, .low = 0, .high = 6});
   const auto any = [&] { return Vec3{random.uniform(4, 18), random.uniform(-4, 14), random.uniform(-5, 12)}; };
   int inside = 0;
   for (int i = 0; i < 20000; ++i) {

@@ -25,23 +25,23 @@ TEST(OffsetPiece, ALineMovesToItsLeft) {
 
 TEST(OffsetPiece, AnArcShrinksOnItsInnerSideAndVanishes) {
   const Vec from{3, 0}, to{0, 3};
-  const auto inner = offset_arc(from, to, {}, 1, pi / 2, 1, 1e-6);  // counter-clockwise: the centre is on the left
+  const auto inner = offset_arc({from, to, {}, 1, pi / 2}, 1, 1e-6);  // counter-clockwise: the centre is on the left
   ASSERT_TRUE(inner);
   EXPECT_DOUBLE_EQ(inner->radius, 2);
   EXPECT_DOUBLE_EQ(inner->length, pi);
   expect_at(inner->to, {0, 2, 0});
   expect_at(inner->direction_from, {0, 1, 0});
   expect_at(inner->direction_to, {-1, 0, 0});
-  EXPECT_DOUBLE_EQ(offset_arc(from, to, {}, 1, pi / 2, -1, 1e-6)->radius, 4);
-  EXPECT_DOUBLE_EQ(offset_arc(to, from, {}, -1, pi / 2, 1, 1e-6)->radius, 4) << "clockwise";
-  const auto point = offset_arc(from, to, {}, 1, pi / 2, 3, 1e-6);
+  EXPECT_DOUBLE_EQ(offset_arc({from, to, {}, 1, pi / 2}, -1, 1e-6)->radius, 4);
+  EXPECT_DOUBLE_EQ(offset_arc({to, from, {}, -1, pi / 2}, 1, 1e-6)->radius, 4) << "clockwise";
+  const auto point = offset_arc({from, to, {}, 1, pi / 2}, 3, 1e-6);
   ASSERT_TRUE(point) << "just its centre";
   EXPECT_EQ(point->length, 0);
-  EXPECT_FALSE(offset_arc(from, to, {}, 1, pi / 2, 3.1, 1e-6));
+  EXPECT_FALSE(offset_arc({from, to, {}, 1, pi / 2}, 3.1, 1e-6));
 }
 
 TEST(OffsetPiece, TrimmedItIsShorterByThat) {
-  OffsetPiece arc = *offset_arc({2, 0}, {-2, 0}, {}, 1, pi, 0, 1e-6);
+  OffsetPiece arc = *offset_arc({{2, 0}, {-2, 0}, {}, 1, pi}, 0, 1e-6);
   arc.trim_begin(pi / 2, turned({2, 0}, pi / 4));
   arc.trim_end(pi / 2, turned({2, 0}, 3 * pi / 4));
   EXPECT_NEAR(arc.length, pi, 1e-12);
@@ -77,7 +77,7 @@ TEST(OffsetPiece, PiecesMeetAtTheCuttersDistanceFromBoth) {
         return offset_line(ends ? sign * 4 * direction : Vec{}, ends ? Vec{} : 4 * direction, aside);
       const double radius = random.uniform(1, 5), sense = random.chance(0.5) ? 1 : -1, sweep = random.uniform(0.6, 1.5);
       const Vec centre = sense * radius * left_of(direction), away = centre + turned(-centre, sign * sense * sweep);
-      return *offset_arc(ends ? away : Vec{}, ends ? Vec{} : away, centre, sense, sweep, aside, 1e-9);
+      return *offset_arc({ends ? away : Vec{}, ends ? Vec{} : away, centre, sense, sweep}, aside, 1e-9);
     };
     const OffsetPiece first = piece(in, true), second = piece(out, false);
     const auto found = meeting(first, second, 1e-9);
@@ -103,7 +103,7 @@ TEST(OffsetPiece, PiecesMeetAtTheCuttersDistanceFromBoth) {
 TEST(OffsetPiece, ParallelLinesAndCirclesApartDoNotMeet) {
   EXPECT_FALSE(meeting(offset_line({0, 0}, {1, 0}, 0), offset_line({1, 0.1}, {2, 0.1}, 0), 1));
   const auto circle = [](Vec centre) {
-    return *offset_arc(centre + Vec{1, 0}, centre - Vec{1, 0}, centre, 1, pi, 0, 1e-9);
+    return *offset_arc({centre + Vec{1, 0}, centre - Vec{1, 0}, centre, 1, pi}, 0, 1e-9);
   };
   EXPECT_FALSE(meeting(circle({0, 0}), circle({5, 0}), 1));
   EXPECT_FALSE(meeting(circle({0, 0}), circle({0, 0}), 1)) << "one circle crosses itself nowhere";

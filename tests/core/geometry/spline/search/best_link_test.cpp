@@ -27,9 +27,9 @@ TEST(BestLink, CurvatureIsSmoothest) {
     const LinkEnds ends = straight ? rotor() : stator();
     const SmoothnessRule rule(3, 64);
     const double parametric = smoothness(rule, ends, {}, weights);
-    const auto distance = best_link(rule, ends, LinkObjective::control_distance, weights, {}, progress);
-    const auto curvature = best_link(rule, ends, LinkObjective::curvature, weights, {}, progress);
-    const auto warm = best_link(rule, ends, LinkObjective::curvature, weights, distance.shape, progress);
+    const auto distance = best_link(rule, ends, {LinkObjective::control_distance, weights}, progress);
+    const auto curvature = best_link(rule, ends, {LinkObjective::curvature, weights}, progress);
+    const auto warm = best_link(rule, ends, {LinkObjective::curvature, weights, distance.shape}, progress);
     EXPECT_LT(curvature.smoothness, distance.smoothness);
     EXPECT_LT(curvature.smoothness, parametric);
     EXPECT_LE(warm.smoothness, distance.smoothness);
@@ -49,7 +49,7 @@ TEST(BestLink, ShapeBelongsToTheEndsAsGiven) {
   for (std::size_t k = 1; k <= 4; ++k) {
     const SmoothnessRule rule(k);
     const SmoothnessWeights weights{1, 8, true, 1e-5};
-    const auto best = best_link(rule, stator(), LinkObjective::control_distance, weights, {}, progress);
+    const auto best = best_link(rule, stator(), {LinkObjective::control_distance, weights}, progress);
     EXPECT_NEAR(smoothness(rule, stator(), best.shape, weights), best.smoothness, 1e-8 * best.smoothness);
     EXPECT_NEAR(control_distance(k, stator(), best.shape), best.objective, 1e-8 * (1 + best.objective));
   }
