@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/motion/acceleration/station_limits.hpp"
 #include "core/motion/grid/even_samples.hpp"
@@ -78,10 +77,11 @@ inline double peak(const std::array<double, 5>& f) {
 }  // namespace cell_law_detail
 
 /// Evaluates both ends and the middle of a cell in which nothing switches. The error of the parabola through these
-/// three points is smaller than its second difference by the angle that the path turns. Returns an upper bound of the
-/// accelerations' excess, and none where this is too rough.
+/// three points is smaller than its second difference by the angle that the path turns. Writes an upper bound of the
+/// accelerations' excess; returns false where this is too rough.
 template <int N>
-inline std::optional<Excess> smooth_excess(const CellEnds<N>& ends, const CellLaw& p, const AxisBounds<N>& limit) {
+[[gnu::always_inline]] inline bool smooth_excess(const CellEnds<N>& ends, const CellLaw& p, const AxisBounds<N>& limit,
+                                                 Excess& excess) {
   const Station<N>&l = ends.left, &r = ends.right;
   const double h = ends.length(), b1 = ends.b1, b2 = ends.b2;
   const LawState middle = p.at(0.5 * p.duration);
@@ -108,20 +108,21 @@ inline std::optional<Excess> smooth_excess(const CellEnds<N>& ends, const CellLa
       bent = std::max(bent, size[k]);
     }
   }
+  excess = {most - 1, -1};
   // The path turns too much to be expanded about s = h/2, or v² is too curved for the reserve of 2 %.
   bool smooth = bent < 1e-3 && std::abs(off) < 0.01 * h && std::abs(b1 - 2 * b + b2) < 1e-3 * b;
   if (std::max(b1, b2) > 0.97 * limit.slowest2) {
     const Lanes<N> fastest = larger(l.d1 * l.d1 * b1, r.d1 * r.d1 * b2);
     for (std::size_t k = 0; k < N; ++k) smooth = smooth && fastest[k] < 0.97 * limit.velocity2[k];
   }
-  if (!smooth || (most > 1 + 1e-9 && !(most > 1 + 1e-7))) return std::nullopt;
-  return Excess{most - 1, -1};
+  return smooth && (most <= 1 + 1e-9 || most > 1 + 1e-7);
 }
 
 /// Returns the excess over a cell from samples of the law on the reconstructed path. `feed` is the largest speed, mm/s.
+/// It is not inlined, because smooth_excess(), which is, decides most cells.
 template <int N>
-Excess cell_excess(const CellEnds<N>& ends, const CellLaw& p, const GridCell& cell, const AxisBounds<N>& limit,
-                   double feed) {
+[[gnu::noinline]] Excess cell_excess(const CellEnds<N>& ends, const CellLaw& p, const GridCell& cell,
+                                     const AxisBounds<N>& limit, double feed) {
   constexpr std::size_t last = 4;
   const double h = ends.length();
   const cell_law_detail::Between<N> path{ends.left, ends.right, h};

@@ -111,11 +111,12 @@ template <int N>
 template <int N>
 void WindowSolver<N>::check_cell(std::size_t c) {
   const GridCell& cell = grid_.cells[c];
-  const CellEnds<N> ends{grid_.left(c), grid_.right(c), chain_.node(c), chain_.node(c + 1)};
+  const Station<N>& left = grid_.stations[cell.station];
+  const CellEnds<N> ends{left, (&left)[1], chain_.node(c), chain_.node(c + 1)};
   excess_[c] = {-1, -1};
   if (cell.straight || !(ends.length() > 0)) return;
-  const std::optional<Excess> smooth = cell.regular() ? smooth_excess<N>(ends, laws_[c], limit_) : std::nullopt;
-  excess_[c] = smooth ? *smooth : cell_excess<N>(ends, laws_[c], cell, limit_, feed_[cell.segment]);
+  if (!cell.regular() || !smooth_excess<N>(ends, laws_[c], limit_, excess_[c]))
+    excess_[c] = cell_excess<N>(ends, laws_[c], cell, limit_, feed_[cell.segment]);
 }
 
 /// Computes the speeds of all cells and their laws, block by block: reading the cells once more costs as much as the
