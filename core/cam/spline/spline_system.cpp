@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/cam/bernstein.hpp"
-#include "core/cam/spline/band_lu.hpp"
+#include "core/cam/spline/spline_matrix.hpp"
 
 namespace bahnwerk::cam {
 namespace {
@@ -76,8 +76,8 @@ class System {
     place_rows();
   }
   std::size_t size() const { return size_; }
-  /// Returns the factorisation. It may be called once: the entries move into it.
-  BandLu factors() { return {size_, std::move(entries_)}; }
+  /// Returns the matrix. It may be called once: the entries move into it.
+  SplineMatrix matrix() { return {size_, std::move(entries_)}; }
   const std::vector<double>& right_side() const { return right_; }
   const std::vector<SingularSystem::Row>& names() const { return names_; }
 
@@ -186,13 +186,13 @@ class System {
   std::vector<std::vector<ValueCondition>> conditions_;
   std::size_t size_ = 0;
   double reference_ = 0;
-  std::vector<BandLu::Entry> entries_;
+  std::vector<SplineMatrix::Entry> entries_;
   std::vector<double> right_;
   std::vector<SingularSystem::Row> names_;
 };
 
 /// Translates the null vectors into conditions.
-SingularSystem explain(const SplineTask& task, const System& system, const BandLu::NullVectors& null) {
+SingularSystem explain(const SplineTask& task, const System& system, const SplineMatrix::NullVectors& null) {
   constexpr double noticeable = 0.02;
   SingularSystem out;
   double largest = 0;
@@ -261,24 +261,24 @@ SolvedSpline solve_spline(const SplineTask& task, const std::vector<int>& degree
     out.bernstein.resize(task.sections());
     return out;
   }
-  const BandLu factors = system.factors();
-  if (factors.pivot_ratio() < 1e-7) {
+  const SplineMatrix matrix = system.matrix();
+  if (matrix.factors().pivot_ratio() < 1e-7) {
     constexpr int few = 4;  // iterations: the estimate comes down to the singular value
-    if (factors.null_vectors(few).smallest < 10 * singular_below)
-      if (const auto null = factors.null_vectors(); null.smallest < singular_below) {
+    if (matrix.null_vectors(few).smallest < 10 * singular_below)
+      if (const auto null = matrix.null_vectors(); null.smallest < singular_below) {
         out.singular = explain(task, system, null);
         return out;
       }
   }
   std::vector<double> x = system.right_side();
-  factors.solve(x.data());
+  matrix.factors().solve(x.data());
   out.bernstein = system.coefficients(x, system.reference());
   return out;
 }
 
 double spline_condition(const SplineTask& task, const std::vector<int>& degrees) {
   System system(task, degrees);
-  return system.size() == 0 ? 1 : system.factors().condition();
+  return system.size() == 0 ? 1 : system.matrix().condition();
 }
 
 CamLaw assemble_law(const SplineTask& task, const SolvedSpline& solved) {

@@ -112,7 +112,7 @@ InteriorPointFigures RelaxationSolver<N>::evaluate(double /*mu*/) {
 
 template <int N>
 bool RelaxationSolver<N>::factor() {
-  matrix_.factor([] {});
+  matrix_.factor();
   return true;
 }
 

@@ -3,26 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/linear/vector_loops.hpp"
+
 namespace bahnwerk {
 namespace {
 
 // Regularisation of the factors where a solution is not unique or conditions are redundant; refinement removes its
 // effect.
-constexpr double primal_shift = 1e-11, dual_shift = 1e-13, rounding = 1e-17;
-
-/// Returns Σ a b as four sums side by side: additions that do not wait for each other.
-double dot(const double* a, const double* b, std::size_t count) {
-  double sums[4] = {0, 0, 0, 0};
-  std::size_t k = 0;
-  for (; k + 4 <= count; k += 4)
-    for (std::size_t i = 0; i < 4; ++i) sums[i] += a[k + i] * b[k + i];
-  for (; k < count; ++k) sums[0] += a[k] * b[k];
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-/// out += factor a.
-void add(double* __restrict out, double factor, const double* __restrict a, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) out[k] += factor * a[k];
-}
+constexpr double primal_shift = 1e-11, dual_shift = 1e-13;
 
 }  // namespace
 
@@ -94,7 +82,7 @@ void BorderedBand::add_square(std::size_t first, std::span<const double> weights
 void BorderedBand::add_quadratic(const std::vector<double>& x, std::vector<double>& out) const {
   for (const Square& square : squares_) {
     const double* const a = square_weights_.data() + square.weights;
-    add(out.data() + square.first, dot(a, x.data() + square.first, square.count), a, square.count);
+    add_multiple(out.data() + square.first, dot_product(a, x.data() + square.first, square.count), a, square.count);
   }
 }
 
@@ -108,7 +96,7 @@ void BorderedBand::multiply(const std::vector<double>& x, std::vector<double>& g
   const double* const shared = x.data() + position_.size();
   for (const Row& row : rows_) {
     const double *const a = row_weights_.data() + row.weights, *const at = x.data() + row.first;
-    double sum = dot(a, at, row.count);
+    double sum = dot_product(a, at, row.count);
     for (std::size_t k = 0; k < row.border_count; ++k) {
       const Term& term = row_borders_[row.borders + k];
       sum += term.weight * shared[term.border];
@@ -141,7 +129,7 @@ void BorderedBand::add_transposed(const std::vector<double>& z, const std::vecto
     const double factor = upper - lower;
     const double* const a = row_weights_.data() + row.weights;
     double* const at = out.data() + row.first;
-    add(at, factor, a, row.count);
+    add_multiple(at, factor, a, row.count);
     for (std::size_t k = 0; k < row.border_count; ++k) {
       const Term& term = row_borders_[row.borders + k];
       shared[term.border] += factor * term.weight;
@@ -175,7 +163,6 @@ void BorderedBand::prepare() {
       half_ = std::max(half_, at > equality.slot ? at - equality.slot : equality.slot - at);
     }
   }
-  width_ = 3 * half_ + 1;
   prepared_ = true;
 }
 
@@ -183,7 +170,7 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
   prepare();
   weights_ = weights;
   const std::size_t shared = border_cost_.size(), columns = shared + far_;
-  band_.assign(slots_ * width_, 0);
+  band_.reset(slots_, half_, half_);
   border_.assign(slots_ * columns, 0);
   corner_.assign(columns * columns, 0);
   const auto column = [&](std::size_t k) { return border_.data() + k * slots_; };
@@ -199,9 +186,9 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
       for (std::size_t i = 0; i < row.count; ++i) {
         const double factor = both * a[i];
         if (adjoining) {
-          add(&band(at[i], at[i]), factor, a + i, row.count - i);
+          add_multiple(&band_.at(at[i], at[i]), factor, a + i, row.count - i);
         } else {
-          for (std::size_t j = i; j < row.count; ++j) band(at[i], at[j]) += factor * a[j];
+          for (std::size_t j = i; j < row.count; ++j) band_.at(at[i], at[j]) += factor * a[j];
         }
       }
     }
@@ -232,9 +219,9 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
     const double* const a = square_weights_.data() + square.weights;
     const std::size_t* const at = position_.data() + square.first;
     for (std::size_t i = 0; i < square.count; ++i)
-      for (std::size_t j = i; j < square.count; ++j) band(at[i], at[j]) += a[i] * a[j];
+      for (std::size_t j = i; j < square.count; ++j) band_.at(at[i], at[j]) += a[i] * a[j];
   }
-  for (std::size_t i : position_) band(i, i) += primal_shift;
+  for (std::size_t i : position_) band_.at(i, i) += primal_shift;
   for (std::size_t k = 0; k < shared; ++k) corner_[k * columns + k] += primal_shift;
   for (const Equality& equality : equalities_) {
     if (equality.far) {
@@ -254,23 +241,29 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
     for (std::size_t t = 0; t < equality.count; ++t) {
       const auto& [variable, weight] = equality_terms_[equality.terms + t];
       const std::size_t at = position_[variable];
-      band(std::min(at, equality.slot), std::max(at, equality.slot)) += weight;
+      band_.at(std::min(at, equality.slot), std::max(at, equality.slot)) += weight;
     }
     for (std::size_t t = 0; t < equality.border_count; ++t) {
       const Term& term = equality_borders_[equality.borders + t];
       column(term.border)[equality.slot] += term.weight;
     }
-    band(equality.slot, equality.slot) -= dual_shift;
+    band_.at(equality.slot, equality.slot) -= dual_shift;
   }
   for (std::size_t i = 0; i < slots_; ++i)
-    for (std::size_t j = i + 1; j < std::min(slots_, i + half_ + 1); ++j) band(j, i) = band(i, j);
-  if (!factor_band()) return false;
-  // Schur complement of the border: corner − borderᵀ band⁻¹ border.
-  solve_border(columns);
+    for (std::size_t j = i + 1; j < std::min(slots_, i + half_ + 1); ++j) band_.at(j, i) = band_.at(i, j);
+  // Where nothing but rounding is left of a pivot, refinement takes the effect of its replacement out again.
+  if (!band_.factor()) return false;
+  solved_.resize(slots_ * columns);
+  for (std::size_t i = 0; i < slots_; ++i)
+    for (std::size_t k = 0; k < columns; ++k) solved_[i * columns + k] = border_[k * slots_ + i];
+  band_.solve(solved_.data(), columns);
+  // Schur complement of the border: corner − borderᵀ band⁻¹ border. It is symmetric but for rounding, which is large
+  // where the band is nearly singular: with these rows, and not with these columns, the border's equations hold all the
+  // same.
   for (std::size_t k = 0; k < slots_; ++k)
     for (std::size_t i = 0; i < columns; ++i)
       if (const double value = border_[i * slots_ + k]; value != 0)
-        add(corner_.data() + i * columns, -value, solved_.data() + k * columns, columns);
+        add_multiple(corner_.data() + i * columns, -value, solved_.data() + k * columns, columns);
   corner_pivots_.resize(columns);
   for (std::size_t k = 0; k < columns; ++k) {
     std::size_t pivot = k;
@@ -288,73 +281,6 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
   return true;
 }
 
-bool BorderedBand::factor_band() {
-  pivots_.resize(slots_);
-  double largest = 0;
-  for (const double value : band_) largest = std::max(largest, std::abs(value));
-  if (largest == 0) return slots_ == 0;
-  std::size_t reach = 0;  // last column that a row so far has
-  for (std::size_t k = 0; k < slots_; ++k) {
-    const std::size_t last = std::min(slots_ - 1, k + half_);
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i <= last; ++i)
-      if (std::abs(band(i, k)) > std::abs(band(pivot, k))) pivot = i;
-    pivots_[k] = pivot;
-    reach = std::max(reach, std::min(slots_ - 1, pivot + half_));
-    if (std::isnan(band(pivot, k))) return false;
-    // Nothing but rounding is left: the pivot is set to its size, and refinement takes the effect out again.
-    if (band(pivot, k) == 0) band(pivot, k) = rounding * largest;
-    if (pivot != k)
-      for (std::size_t j = k; j <= reach; ++j) std::swap(band(k, j), band(pivot, j));
-    const double inverse = 1 / band(k, k);
-    const double* const top = &band(k, k);
-    for (std::size_t i = k + 1; i <= last; ++i) {
-      double* const row = &band(i, k);
-      if (row[0] == 0) continue;
-      const double factor = row[0] *= inverse;
-      add(row + 1, -factor, top + 1, reach - k);
-    }
-  }
-  return true;
-}
-
-/// Solves for all columns of the border at once: solved_ has a row per slot.
-void BorderedBand::solve_border(std::size_t columns) {
-  solved_.resize(slots_ * columns);
-  const auto row = [&](std::size_t i) { return solved_.data() + i * columns; };
-  for (std::size_t i = 0; i < slots_; ++i)
-    for (std::size_t k = 0; k < columns; ++k) row(i)[k] = border_[k * slots_ + i];
-  for (std::size_t k = 0; k < slots_; ++k) {
-    if (pivots_[k] != k) std::swap_ranges(row(k), row(k) + columns, row(pivots_[k]));
-    const std::size_t last = std::min(slots_ - 1, k + half_);
-    for (std::size_t i = k + 1; i <= last; ++i)
-      if (const double factor = band(i, k); factor != 0) add(row(i), -factor, row(k), columns);
-  }
-  for (std::size_t k = slots_; k-- > 0;) {
-    const std::size_t last = std::min(slots_ - 1, k + 2 * half_);
-    for (std::size_t j = k + 1; j <= last; ++j)
-      if (const double factor = band(k, j); factor != 0) add(row(k), -factor, row(j), columns);
-    const double pivot = band(k, k);
-    for (std::size_t j = 0; j < columns; ++j) row(k)[j] /= pivot;
-  }
-}
-
-void BorderedBand::solve_band(double* right) const {
-  const auto at = [this](std::size_t i, std::size_t j) { return band_.data() + i * width_ + (j + half_ - i); };
-  for (std::size_t k = 0; k < slots_; ++k) {
-    if (pivots_[k] != k) std::swap(right[k], right[pivots_[k]]);
-    const std::size_t last = std::min(slots_ - 1, k + half_);
-    const double value = right[k];
-    if (value == 0) continue;
-    for (std::size_t i = k + 1; i <= last; ++i) right[i] -= *at(i, k) * value;
-  }
-  for (std::size_t k = slots_; k-- > 0;) {
-    const std::size_t last = std::min(slots_ - 1, k + 2 * half_);
-    const double* const row = at(k, k);
-    right[k] = (right[k] - dot(row + 1, right + k + 1, last - k)) / row[0];
-  }
-}
-
 void BorderedBand::solve(std::vector<double>& x, std::vector<double>& y) const {
   const std::size_t shared = border_cost_.size(), columns = shared + far_;
   right_.assign(slots_, 0);
@@ -363,7 +289,7 @@ void BorderedBand::solve(std::vector<double>& x, std::vector<double>& y) const {
   for (std::size_t k = 0; k < shared; ++k) right_border_[k] = x[position_.size() + k];
   for (std::size_t i = 0; i < equalities_.size(); ++i)
     (equalities_[i].far ? right_border_[shared + equalities_[i].slot] : right_[equalities_[i].slot]) = y[i];
-  solve_band(right_.data());
+  band_.solve(right_.data());
   for (std::size_t k = 0; k < columns; ++k) {
     const double* const b = border_.data() + k * slots_;
     for (std::size_t i = 0; i < slots_; ++i) right_border_[k] -= b[i] * right_[i];
@@ -376,7 +302,7 @@ void BorderedBand::solve(std::vector<double>& x, std::vector<double>& y) const {
     right_border_[k] /= corner_[k * columns + k];
   }
   for (std::size_t i = 0; i < slots_; ++i)
-    right_[i] -= dot(solved_.data() + i * columns, right_border_.data(), columns);
+    right_[i] -= dot_product(solved_.data() + i * columns, right_border_.data(), columns);
   for (std::size_t i = 0; i < position_.size(); ++i) x[i] = right_[position_[i]];
   for (std::size_t k = 0; k < shared; ++k) x[position_.size() + k] = right_border_[k];
   for (std::size_t i = 0; i < equalities_.size(); ++i)

@@ -4,8 +4,8 @@
 ///
 /// Variables and local equalities are ordered as they are added: the system of a step is a band over them with a border
 /// of shared variables and of far-reaching equalities. The band is factored by Gaussian elimination with partial
-/// pivoting, the border by its Schur complement. Cost per factorisation: O(size · band · (band + border)), linear in
-/// the number of variables.
+/// pivoting (linear/band_lu.hpp), the border by its Schur complement. Cost per factorisation: O(size · band · (band +
+/// border)), linear in the number of variables.
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/numeric/interior_point/interior_point.hpp"
+#include "core/numeric/linear/band_lu.hpp"
 
 namespace bahnwerk {
 
@@ -90,10 +91,6 @@ class BorderedBand final : public InteriorPointSystem {
     bool far;
   };
   void prepare();
-  double& band(std::size_t i, std::size_t j) { return band_[i * width_ + (j + half_ - i)]; }
-  void solve_band(double* right) const;
-  void solve_border(std::size_t columns);
-  bool factor_band();
 
   std::vector<std::size_t> position_;  // place of each variable in the band
   std::size_t slots_ = 0;              // size of the band: number of variables and local equalities
@@ -108,9 +105,8 @@ class BorderedBand final : public InteriorPointSystem {
   std::vector<std::pair<std::size_t, double>> equality_terms_;
   std::vector<double> weights_;
   bool prepared_ = false;
-  std::size_t half_ = 0, width_ = 0;
-  std::vector<double> band_;                      // rows of 3 half_ + 1: row i begins with column i − half_
-  std::vector<std::size_t> pivots_;               // row that was swapped with k
+  std::size_t half_ = 0;  // width of the band beside the diagonal
+  BandLu band_;
   std::vector<double> border_, solved_, corner_;  // border_: one column after the other; solved_: a row per slot
   std::vector<std::size_t> corner_pivots_;
   mutable std::vector<double> right_, right_border_;

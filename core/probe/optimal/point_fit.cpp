@@ -129,7 +129,7 @@ class NormalEquations {
     }
   }
   std::vector<Vec> solve() {
-    a_.factor([] {});
+    a_.factor();
     a_.solve(b_);
     std::vector<Vec> out(b_.size() / 3);
     for (std::size_t i = 0; i < b_.size(); ++i) out[i / 3][i % 3] = b_[i];

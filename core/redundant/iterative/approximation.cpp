@@ -26,7 +26,7 @@ double position_at(const CoarseTask& task, double t) {
 
 std::optional<std::vector<double>> least_squares(const CoarseTask& task, const FitRows& rows) {
   std::vector<double> y;
-  BandMatrix normal = rows.normal(task, y);
+  SymmetricBand<> normal = rows.normal(task, y);
   if (!normal.factor()) return std::nullopt;
   normal.solve(y);
   return y;
@@ -43,7 +43,7 @@ std::optional<std::vector<double>> chebyshev(const CoarseTask& task, const FitRo
   std::optional<std::vector<double>> y = least_squares(task, rows);
   if (!y || rows.largest_error(task, *y) > projection_norm * task.tolerance) return y;
   const double scale = task.tolerance, middle = task.positions.front();
-  BandProgram program{BandMatrix(rows.ends.variables(), rows.space.degree()), {}, {}, 1};
+  BandProgram program{SymmetricBand<>(rows.ends.variables(), rows.space.degree()), {}, {}, 1};
   program.rows.reserve(rows.rows.size());
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
     // Rows of B-splines sum up to 1 less the share of fixed control points, so positions are counted from the first

@@ -20,44 +20,6 @@ struct PackedRow {
   double elastic;
 };
 
-template <std::size_t C>
-double value_of(const double* weights, const double* y, std::size_t any) {
-  double sum = 0;
-  for (std::size_t r = 0; r < (C > 0 ? C : any); ++r) sum += weights[r] * y[r];
-  return sum;
-}
-double value(std::size_t count, const double* weights, const double* y) {
-  switch (count) {
-    case 2:
-      return value_of<2>(weights, y, 2);
-    case 3:
-      return value_of<3>(weights, y, 3);
-    case 4:
-      return value_of<4>(weights, y, 4);
-    case 5:
-      return value_of<5>(weights, y, 5);
-    default:
-      return value_of<0>(weights, y, count);
-  }
-}
-template <std::size_t C>
-void scatter_of(const double* weights, double factor, double* out, std::size_t any) {
-  for (std::size_t r = 0; r < (C > 0 ? C : any); ++r) out[r] += factor * weights[r];
-}
-void scatter(std::size_t count, const double* weights, double factor, double* out) {
-  switch (count) {
-    case 2:
-      return scatter_of<2>(weights, factor, out, 2);
-    case 3:
-      return scatter_of<3>(weights, factor, out, 3);
-    case 4:
-      return scatter_of<4>(weights, factor, out, 4);
-    case 5:
-      return scatter_of<5>(weights, factor, out, 5);
-    default:
-      return scatter_of<0>(weights, factor, out, count);
-  }
-}
 /// Sums over the entries of `a`; `b` may have more.
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -140,10 +102,11 @@ class BandSystem final : public InteriorPointSystem {
   }
   void solve(std::vector<double>& x, std::vector<double>& /*y*/) const override {
     const double w = elastic_ ? (x[n_] - dot(solved_border_, x)) / complement_ : 0;
+    x.resize(n_);
     normal_.solve(x);
     if (!elastic_) return;
     for (std::size_t i = 0; i < n_; ++i) x[i] -= w * solved_border_[i];
-    x[n_] = w;
+    x.push_back(w);
   }
 
   /// Slacks of at least `first_slack` and multipliers of one product with them.
@@ -180,10 +143,19 @@ class BandSystem final : public InteriorPointSystem {
 
  private:
   double value_at(std::size_t row, const std::vector<double>& x) const {
-    return value(rows_[row].count, &weights_[rows_[row].weights], &x[rows_[row].first]);
+    const double *const a = &weights_[rows_[row].weights], *const y = &x[rows_[row].first];
+    return with_constant(rows_[row].count, [&](auto count) {
+      double sum = 0;
+      for (std::size_t r = 0; r < count; ++r) sum += a[r] * y[r];
+      return sum;
+    });
   }
   void scatter_at(std::size_t row, double factor, std::vector<double>& out) const {
-    scatter(rows_[row].count, &weights_[rows_[row].weights], factor, &out[rows_[row].first]);
+    const double* const a = &weights_[rows_[row].weights];
+    double* const y = &out[rows_[row].first];
+    with_constant(rows_[row].count, [&](auto count) {
+      for (std::size_t r = 0; r < count; ++r) y[r] += factor * a[r];
+    });
   }
 
   const BandProgram& p_;
@@ -192,7 +164,7 @@ class BandSystem final : public InteriorPointSystem {
   std::vector<double> cost_, equality_side_, inequality_side_;
   std::vector<PackedRow> rows_;
   std::vector<double> weights_;  // weights of all rows
-  BandMatrix normal_;
+  SymmetricBand<> normal_;
   std::vector<double> border_, solved_border_;
   double complement_ = 1;
 };

@@ -13,7 +13,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/redundant/iterative/band_matrix.hpp"
+#include "core/numeric/linear/symmetric_band.hpp"
+#include "core/redundant/iterative/spline_ends.hpp"
 
 namespace bahnwerk {
 
@@ -24,7 +25,7 @@ struct BandRow {
 };
 
 struct BandProgram {
-  BandMatrix quadratic;  ///< Q, with the band width of the rows
+  SymmetricBand<> quadratic;  ///< Q, with the band width of the rows
   std::vector<BandRow> rows;
   std::vector<double> linear;  ///< c; empty: 0
   double price = 0;            ///< γ; 0: w does not exist

@@ -23,7 +23,7 @@ class Programs {
 
   std::optional<std::vector<double>> quadratic(const std::vector<double>& start, bool& limits_met) const {
     std::vector<double> linear;
-    BandMatrix h = energy(fit_, linear);
+    SymmetricBand<> h = energy(fit_, linear);
     BandProgram program = positions();
     for (std::size_t order = 1; order <= 3; ++order) limits(program, order, 1);
     // The energy is relative to that of the start; the linear part, which fixed control points leave, becomes one more
@@ -85,7 +85,7 @@ class Programs {
     return sum;
   }
 
-  std::vector<double> linear_part(const BandMatrix& h, const std::vector<double>& linear, double size) const {
+  std::vector<double> linear_part(const SymmetricBand<>& h, const std::vector<double>& linear, double size) const {
     std::vector<double> shift(linear.size(), middle_), g(linear.size(), 0.0);
     h.multiply(shift, g);  // rows at the ends only: f″ of a constant is 0
     for (std::size_t i = 0; i < g.size(); ++i) g[i] = (g[i] + linear[i]) / (scale_ * size);
@@ -93,7 +93,7 @@ class Programs {
   }
 
   BandProgram positions() const {
-    BandProgram program{BandMatrix(fit_.ends.variables(), fit_.space.degree()), {}, {}, 0};
+    BandProgram program{SymmetricBand<>(fit_.ends.variables(), fit_.space.degree()), {}, {}, 0};
     program.rows.reserve(2 * fit_.rows.size());
     const double step = task_.time(1), bulge = task_.limits.acceleration * step * step / 8;
     const double between = std::min(bulge, 0.25 * (task_.limits.highest - task_.limits.lowest));

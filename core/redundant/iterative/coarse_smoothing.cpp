@@ -30,12 +30,12 @@ double use_of_limits(const CoarseTask& task, const FitRows& fit, const std::vect
 
 }  // namespace
 
-BandMatrix energy(const FitRows& fit, std::vector<double>& linear) {
+SymmetricBand<> energy(const FitRows& fit, std::vector<double>& linear) {
   constexpr std::array<double, 4> node{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
                                        0.8611363115940526};
   constexpr std::array<double, 4> weight{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
                                          0.3478548451374538};
-  BandMatrix h(fit.ends.variables(), fit.space.degree());
+  SymmetricBand<> h(fit.ends.variables(), fit.space.degree());
   linear.assign(fit.ends.variables(), 0);
   const std::vector<double>& k = fit.space.knots();
   std::size_t span = 0;
@@ -44,7 +44,7 @@ BandMatrix energy(const FitRows& fit, std::vector<double>& linear) {
     if (!(half > 0)) continue;
     for (std::size_t q = 0; q < node.size(); ++q) {
       const VariableRow row = fit.ends.reduced(fit.space.at(middle + half * node[q], 2, span));
-      h.add(row, weight[q] * half);
+      h.add(row.first, row.count, row.weights.data(), weight[q] * half);
       for (std::size_t r = 0; r < row.count; ++r)
         linear[row.first + r] += weight[q] * half * row.weights[r] * row.offset;
     }
@@ -55,10 +55,10 @@ BandMatrix energy(const FitRows& fit, std::vector<double>& linear) {
 std::optional<std::vector<double>> smoothing_spline(const CoarseTask& task, const FitRows& fit,
                                                     const std::function<void()>& tick) {
   std::vector<double> right, linear;
-  const BandMatrix normal = fit.normal(task, right), rough = energy(fit, linear);
+  const SymmetricBand<> normal = fit.normal(task, right), rough = energy(fit, linear);
   const auto at = [&](double ratio) -> std::optional<std::vector<double>> {  // λ/(1 − λ)
     if (tick) tick();
-    BandMatrix sum = normal;
+    SymmetricBand<> sum = normal;
     sum.add(rough, ratio);
     if (!sum.factor()) return std::nullopt;
     std::vector<double> y = right;
@@ -90,14 +90,14 @@ std::vector<double> relieved(const CoarseTask& task, const FitRows& fit, std::ve
   double least = use_of_limits(task, fit, y);
   if (least <= inside) return y;
   std::vector<double> right, linear;
-  const BandMatrix normal = fit.normal(task, right), rough = energy(fit, linear);
+  const SymmetricBand<> normal = fit.normal(task, right), rough = energy(fit, linear);
   double error_size = 0, rough_size = 0;
-  for (std::size_t i = 0; i < normal.size(); ++i) error_size += normal.at(i, 0), rough_size += rough.at(i, 0);
+  for (std::size_t i = 0; i < normal.size(); ++i) error_size += normal.at(i, i), rough_size += rough.at(i, i);
   if (!(rough_size > 0)) return y;
   const auto at = [&](double exponent) -> std::optional<std::vector<double>> {
     if (tick) tick();
     const double ratio = error_size / rough_size * std::pow(10.0, exponent);
-    BandMatrix sum = normal;
+    SymmetricBand<> sum = normal;
     sum.add(rough, ratio);
     if (!sum.factor()) return std::nullopt;
     std::vector<double> z = right;

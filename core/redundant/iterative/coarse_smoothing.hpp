@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/redundant/iterative/band_matrix.hpp"
+#include "core/numeric/linear/symmetric_band.hpp"
 #include "core/redundant/iterative/coarse_fit.hpp"
 #include "core/redundant/iterative/fit_rows.hpp"
 
@@ -14,7 +14,7 @@ namespace bahnwerk {
 
 /// Returns half the Hessian of ∫ (f″)² with respect to the variables, exact by Gauss' rule in every span. `linear`
 /// receives the constant part of the gradient, which comes from fixed control points.
-BandMatrix energy(const FitRows& fit, std::vector<double>& linear);
+SymmetricBand<> energy(const FitRows& fit, std::vector<double>& linear);
 
 /// Returns the control points of the smoothest spline within tolerance, searched over log λ from large λ on; none if no
 /// λ is within tolerance.

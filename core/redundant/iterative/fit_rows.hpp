@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "core/numeric/large_pages.hpp"
-#include "core/redundant/iterative/band_matrix.hpp"
+#include "core/numeric/linear/symmetric_band.hpp"
 #include "core/redundant/iterative/coarse_fit.hpp"
+#include "core/redundant/iterative/spline_ends.hpp"
 
 namespace bahnwerk {
 
@@ -48,11 +49,11 @@ struct FitRows {
     return most;
   }
   /// Returns the normal matrix Σ a aᵀ; `right` receives Σ a x.
-  BandMatrix normal(const CoarseTask& task, std::vector<double>& right) const {
-    BandMatrix matrix(ends.variables(), space.degree());
+  SymmetricBand<> normal(const CoarseTask& task, std::vector<double>& right) const {
+    SymmetricBand<> matrix(ends.variables(), space.degree());
     right.assign(ends.variables(), 0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      matrix.add(rows[i], 1);
+      matrix.add(rows[i].first, rows[i].count, rows[i].weights.data(), 1);
       for (std::size_t r = 0; r < rows[i].count; ++r)
         right[rows[i].first + r] += rows[i].weights[r] * (task.positions[i + 1] - rows[i].offset);
     }

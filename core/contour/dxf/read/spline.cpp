@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/contour/dxf/read/entity.hpp"
-#include "core/numeric/tridiagonal.hpp"
+#include "core/numeric/linear/symmetric_band.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -21,33 +21,35 @@ DrawnSpline through(std::vector<Vec> p, bool closed, Vec start_tangent, Vec end_
   std::vector<double> h(spans);
   for (std::size_t i = 0; i < spans; ++i) h[i] = norm(p[i + 1] - p[i]);
   const std::size_t n = closed ? spans : spans + 1;  // unknown slopes
-  Tridiagonal matrix(n);
-  std::vector<Vec> slope(n);  // slopes; at first the right side of their system
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!closed && (i == 0 || i == spans)) {
-      const Vec tangent = i == 0 ? start_tangent : end_tangent;
-      const std::size_t side = i == 0 ? 0 : spans - 1;
-      if (norm(tangent) > 0) {
-        slope[i] = tangent / norm(tangent);
-      } else {  // 2 m₀ + m₁ = 3 Δ₀/h₀
-        matrix.at[i] = 2;
-        (i == 0 ? matrix.above : matrix.below)[i] = 1;
-        slope[i] = 3 / h[side] * (p[side + 1] - p[side]);
-      }
-      continue;
-    }
-    const std::size_t before = i == 0 ? spans - 1 : i - 1;
-    matrix.below[i] = h[i];
-    matrix.at[i] = 2 * (h[before] + h[i]);
-    matrix.above[i] = h[before];
-    slope[i] = 3 * (h[i] / h[before] * (p[before + 1] - p[before]) + h[before] / h[i] * (p[i + 1] - p[i]));
+  // Around a closed spline, points 0, n − 1, 1, n − 2 … follow each other: neighbours stay within two places.
+  const auto place = [&](std::size_t i) { return !closed ? i : 2 * i < n ? 2 * i : 2 * (n - i) - 1; };
+  SymmetricBand<2> matrix(n);
+  std::vector<Vec> right(n);
+  for (std::size_t i = 0; i < spans; ++i) {  // a span's part of the gradient of ½ ∫ |f″|²
+    const std::size_t a = place(i), b = place((i + 1) % n);
+    const double w = 1 / h[i];
+    const Vec rise = 3 * w * w * (p[i + 1] - p[i]);
+    matrix.at(a, a) += 2 * w, matrix.at(b, b) += 2 * w, matrix.at(std::max(a, b), std::min(a, b)) += w;
+    right[a] += rise, right[b] += rise;
   }
-  if (closed) {
-    matrix.solve_periodic(slope);
-    slope.push_back(slope.front());
-  } else {
-    matrix.solve(slope);
+  for (const bool end : {false, true}) {
+    const Vec tangent = end ? end_tangent : start_tangent;
+    if (closed || !(norm(tangent) > 0)) continue;
+    const std::size_t given = end ? n - 1 : 0, next = end ? n - 2 : 1;
+    double& coupling = matrix.at(end ? given : next, end ? next : given);
+    right[given] = tangent / norm(tangent);
+    right[next] += -coupling * right[given];
+    matrix.at(given, given) = 1, coupling = 0;
   }
+  matrix.factor();
+  std::vector<Vec> slope(n);
+  std::vector<double> x(n);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < n; ++i) x[i] = right[i][axis];
+    matrix.solve(x);
+    for (std::size_t i = 0; i < n; ++i) slope[i][axis] = x[place(i)];
+  }
+  if (closed) slope.push_back(slope.front());
 
   std::vector<Vec> points{p[0]};
   std::vector<double> knots{0, 0, 0, 0};

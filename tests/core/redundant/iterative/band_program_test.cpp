@@ -15,9 +15,9 @@ VariableRow row(std::size_t first, std::initializer_list<double> weights) {
   for (const double w : weights) r.weights[r.count++] = w;
   return r;
 }
-BandMatrix unit(std::size_t n) {
-  BandMatrix m(n, 2);
-  for (std::size_t i = 0; i < n; ++i) m.at(i, 0) = 1;
+SymmetricBand<> unit(std::size_t n) {
+  SymmetricBand<> m(n, 2);
+  for (std::size_t i = 0; i < n; ++i) m.at(i, i) = 1;
   return m;
 }
 
@@ -33,7 +33,7 @@ TEST(BandProgram, FindsTheNearestPointOfABox) {
 
 TEST(BandProgram, LeastLargestDeviationAlternates) {
   // A constant against 0, 1, 4: in the middle of the extremes.
-  BandProgram p{BandMatrix(1, 2), {}, {}, 1};
+  BandProgram p{SymmetricBand<>(1, 2), {}, {}, 1};
   for (const double x : {0.0, 1.0, 4.0}) p.rows.push_back({row(0, {1}), x, x, 1});
   const BandSolution s = solve(p, {0}, {});
   EXPECT_TRUE(s.converged);
@@ -59,9 +59,11 @@ TEST(BandProgram, NothingNearIsBetter) {
   Random random(4);
   for (int round = 0; round < 20; ++round) {
     const std::size_t n = 12;
-    BandProgram p{BandMatrix(n, 3), {}, {}, 0};
-    for (std::size_t i = 0; i + 4 <= n; ++i)
-      p.quadratic.add(row(i, {random.uniform(-1, 1), 1, random.uniform(-1, 1), 0.3}), 1);
+    BandProgram p{SymmetricBand<>(n, 3), {}, {}, 0};
+    for (std::size_t i = 0; i + 4 <= n; ++i) {
+      const double square[] = {random.uniform(-1, 1), 1, random.uniform(-1, 1), 0.3};
+      p.quadratic.add(i, 4, square, 1);
+    }
     for (std::size_t i = 0; i < n; ++i) {
       const double x = random.uniform(-2, 2);
       p.rows.push_back({row(i, {1}), x - 0.5, x + 0.5, 0});

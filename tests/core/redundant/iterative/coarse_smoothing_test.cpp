@@ -62,7 +62,7 @@ TEST(CoarseSmoothing, TheEnergyIsTheIntegralOfTheSquaredAcceleration) {
   task.begin = {5, 30, 0, false};
   const FitRows fit(task, 3, clamped(3, {0.3, 0.5, 0.8}));
   std::vector<double> linear, y(fit.ends.variables()), product(y.size(), 0);
-  const BandMatrix matrix = bahnwerk::energy(fit, linear);
+  const SymmetricBand<> matrix = bahnwerk::energy(fit, linear);
   const auto integral = [&] {
     const std::vector<double> controls = fit.ends.controls(y);
     double sum = 0;

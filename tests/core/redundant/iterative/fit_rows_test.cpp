@@ -42,7 +42,7 @@ TEST(FitRows, TheNormalSystemIsTheGradientOfTheSumOfSquares) {
   const CoarseTask task = task_of(1, 101, 1, wave);
   const FitRows fit(task, 3, clamped(3, {0.25, 0.5, 0.75}));
   std::vector<double> y = any_variables(fit), right, gradient(y.size(), 0);
-  const BandMatrix matrix = fit.normal(task, right);
+  const SymmetricBand<> matrix = fit.normal(task, right);
   matrix.multiply(y, gradient);
   const auto squares = [&] {
     double sum = 0;

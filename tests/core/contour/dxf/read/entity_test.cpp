@@ -202,6 +202,30 @@ TEST(DxfEntity, FitPointsOfAClosedSpline) {
   for (const Joint& j : joints(c.path)) EXPECT_LT(j.angle, 1e-9);
 }
 
+TEST(DxfEntity, SplinesThroughFitPointsHaveContinuousCurvature) {
+  for (int n = 3; n <= 8; ++n)
+    for (const bool closed : {false, true}) {
+      const Contour c = read([&](DxfText& t) {
+        t.tag(0, "SPLINE", 8, "0", 70, closed ? 11 : 8, 71, 3, 74, n);
+        for (int i = 0; i < n; ++i)  // unevenly around an ellipse
+          t.tag(11, 30 * std::cos(0.2 * i * i), 21, 10 * std::sin(0.2 * i * i), 31, 0);
+      });
+      const auto curvature = [&](std::size_t piece, bool end) {
+        const Curve& curve = c.path[piece].curve();
+        const Jet j = curve.at(end ? curve.end() : curve.begin());
+        return cross(j.d1, j.d2).z / std::pow(norm(j.d1), 3);
+      };
+      const auto pieces = static_cast<std::size_t>(closed ? n : n - 1);
+      ASSERT_EQ(c.path.size(), pieces);
+      for (std::size_t i = closed ? 0 : 1; i < pieces; ++i)
+        EXPECT_NEAR(curvature(i, false), curvature(i > 0 ? i - 1 : pieces - 1, true), 1e-12) << n << ' ' << i;
+      if (!closed) {
+        EXPECT_NEAR(curvature(0, false), 0, 1e-12) << n;
+        EXPECT_NEAR(curvature(pieces - 1, true), 0, 1e-12) << n;
+      }
+    }
+}
+
 TEST(DxfEntity, FitPointsWithTangentsReproduceACubic) {
   // A straight line is reproduced by natural ends; here the ends' tangents bend it.
   const Contour c = read([](DxfText& t) {
