@@ -189,7 +189,6 @@ class SplinePlanner {
     OptimisationOptions options;
     options.max_evaluations = options_.evaluations;
     options.step_tolerance = 1e-6;
-    options.kkt_tolerance = 1e-3;
     options.constraint_tolerance = slack;
     const std::vector<double> before(control_.begin() + static_cast<std::ptrdiff_t>(begin),
                                      control_.begin() + static_cast<std::ptrdiff_t>(end));

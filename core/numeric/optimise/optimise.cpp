@@ -1,197 +1,183 @@
 #include "core/numeric/optimise/optimise.hpp"
 
+#include <nlopt.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <exception>
+#include <memory>
+#include <new>
 #include <stdexcept>
-
-#include "core/numeric/optimise/elastic.hpp"
-#include "core/numeric/optimise/evaluator.hpp"
-#include "core/numeric/optimise/kkt.hpp"
-#include "core/numeric/optimise/nlopt_search.hpp"
-#include "core/numeric/random.hpp"
 
 namespace bahnwerk {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int tightenings = 3, searches = 8;
+constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
-bool by_gradients(OptimisationMethod method) {
-  return method == OptimisationMethod::slsqp || method == OptimisationMethod::mma;
+bool finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
 
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
+void check_sizes(const OptimisationProblem& p, std::span<const double> start) {
+  const auto fits = [&](const std::vector<double>& values) { return values.empty() || values.size() == p.dimension; };
+  if (p.dimension == 0 || start.size() != p.dimension || !fits(p.lower) || !fits(p.upper) || !fits(p.scale))
+    throw std::invalid_argument("sizes of an optimisation problem");
 }
 
-void check(const OptimisationProblem& p, std::span<const double> start, const OptimisationOptions& options) {
-  const auto fits = [](const std::vector<double>& values, std::size_t n) {
-    return values.empty() || values.size() == n;
-  };
-  const auto positive = [](const std::vector<double>& values) {
-    return std::ranges::all_of(values, [](double v) { return v > 0 && std::isfinite(v); });
-  };
-  const auto is_nan = [](double v) { return std::isnan(v); };
-  require(start.size() == p.dimension && std::ranges::all_of(start, [](double v) { return std::isfinite(v); }),
-          "start");
-  require(fits(p.lower, p.dimension) && fits(p.upper, p.dimension), "number of bounds");
-  require(std::ranges::none_of(p.lower, is_nan) && std::ranges::none_of(p.upper, is_nan), "bounds that are NaN");
-  require(fits(p.scale, p.dimension) && fits(p.inequality.scale, p.inequality.rows) &&
-              fits(p.equality.scale, p.equality.rows),
-          "number of scales");
-  require(
-      positive(p.scale) && positive(p.inequality.scale) && positive(p.equality.scale) && positive({p.objective_scale}),
-      "scales have to be positive");
-  require(
-      p.objective && (p.inequality.rows == 0 || p.inequality.evaluate) && (p.equality.rows == 0 || p.equality.evaluate),
-      "a callback is missing");
-  require(positive({options.step_tolerance, options.kkt_tolerance, options.constraint_tolerance}),
-          "tolerances have to be positive");
-  if (options.method == OptimisationMethod::mma) require(p.equality.rows == 0, "mma takes no equalities");
-  if (options.method == OptimisationMethod::direct_l)
-    require(p.equality.rows + p.inequality.rows == 0, "direct_l takes no constraints");
-  if (options.method == OptimisationMethod::isres || options.method == OptimisationMethod::direct_l)
-    for (const auto* bounds : {&p.lower, &p.upper})
-      require(bounds->size() == p.dimension && std::ranges::all_of(*bounds, [](double v) { return std::isfinite(v); }),
-              "isres and direct_l need finite bounds");
+void check(nlopt_result result) {
+  if (result == NLOPT_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (result == NLOPT_INVALID_ARGS) throw std::logic_error("NLopt refused its arguments");
 }
 
-/// The state of a call of minimise().
-class Solve {
+/// A search by NLopt in the variables z = x/scale. NLopt is C and must not be unwound: an exception of a callback stops
+/// it and is passed on afterwards.
+class Search {
  public:
-  Solve(const OptimisationProblem& problem, const OptimisationOptions& options, Progress progress)
-      : options_(options), progress_(progress), evaluator_(problem, options, progress), random_(options.seed) {}
+  Search(const OptimisationProblem& problem, const OptimisationOptions& options, Progress progress)
+      : problem_(problem),
+        options_(options),
+        progress_(progress),
+        by_gradients_(options.method == OptimisationMethod::slsqp),
+        nlopt_(nlopt_create(by_gradients_ ? NLOPT_LD_SLSQP : NLOPT_LN_COBYLA, static_cast<unsigned>(problem.dimension)),
+               nlopt_destroy) {
+    if (!nlopt_) throw std::bad_alloc();
+    best_.violation = infinity;
+  }
 
-  OptimisationResult run(std::span<const double> start, bool allow_elastic) {
-    std::vector<double> z = within(evaluator_.scaled(start));
-    if (!find_values(z)) return result(OptimisationStatus::undefined);
-    if (!any_free()) return result(feasible() ? OptimisationStatus::converged : OptimisationStatus::infeasible, 0);
-    if (!by_gradients(options_.method)) return once(z);
-
-    double step = options_.step_tolerance;
-    bool broken = true;
-    for (int k = 0; k < searches; ++k) {
-      const SearchEnd end = nlopt_search(evaluator_, options_, step, z);
-      broken = broken && end == SearchEnd::broken;
-      if (confirm(z) || (z != evaluator_.best().z && confirm(evaluator_.best().z))) return confirmed_;
-      if (end == SearchEnd::evaluations || evaluator_.left() == 0)
-        return result(OptimisationStatus::evaluation_limit, confirmed_.kkt_residual);
-      if (!feasible() && allow_elastic) {
-        allow_elastic = false;
-        OptimisationResult least = min_violation();
-        if (least.status == OptimisationStatus::infeasible) return least;
-        z = evaluator_.best().z;
-        continue;
-      }
-      z = evaluator_.best().z;
-      step = std::max(step * 1e-2, 1e-15);
-      if (k >= tightenings) z = near(z, 1e-4 * std::pow(8, k - tightenings));
+  OptimisationResult run(std::span<const double> start) {
+    std::vector<double> z(start.begin(), start.end());
+    for (std::size_t j = 0; j < z.size(); ++j) {
+      const double low = lower(j) / scale(j), high = upper(j) / scale(j);
+      check(nlopt_set_lower_bound(nlopt_.get(), static_cast<int>(j), low));
+      check(nlopt_set_upper_bound(nlopt_.get(), static_cast<int>(j), high));
+      z[j] = std::clamp(z[j] / scale(j), low, high);
     }
-    return result(broken ? OptimisationStatus::undefined : OptimisationStatus::stalled, confirmed_.kkt_residual);
+    check(nlopt_set_min_objective(nlopt_.get(), objective, this));
+    const std::vector<double> tolerance(problem_.inequality.rows, options_.constraint_tolerance);
+    if (const auto m = static_cast<unsigned>(tolerance.size()); m > 0)
+      check(nlopt_add_inequality_mconstraint(nlopt_.get(), m, rows, this, tolerance.data()));
+    check(nlopt_set_xtol_rel(nlopt_.get(), options_.step_tolerance));
+    check(nlopt_set_xtol_abs1(nlopt_.get(), options_.step_tolerance));
+    check(nlopt_set_maxeval(nlopt_.get(), static_cast<int>(options_.max_evaluations)));
+    double value = 0;
+    const nlopt_result result = nlopt_optimize(nlopt_.get(), z.data(), &value);
+    if (failure_) std::rethrow_exception(failure_);
+    check(result);
+    OptimisationResult found{best_.x, nan, nan, evaluations_};
+    if (!best_.x.empty()) found.objective = best_.objective, found.violation = best_.violation;
+    return found;
   }
 
  private:
-  bool feasible() const { return evaluator_.best().violation <= options_.constraint_tolerance; }
+  struct Point {
+    std::vector<double> z, x;
+    double objective = 0;
+    std::vector<double> rows;
+    double violation = 0;
+    bool defined = false;       // whether all values are finite
+    bool has_gradient = false;  // whether the next two are valid and finite
+    std::vector<double> gradient, jacobian;
+  };
 
-  bool any_free() const {
-    for (std::size_t j = 0; j < evaluator_.problem().dimension; ++j)
-      if (evaluator_.lower(j) < evaluator_.upper(j)) return true;
-    return false;
+  double scale(std::size_t j) const { return problem_.scale.empty() ? 1 : problem_.scale[j]; }
+  double lower(std::size_t j) const { return problem_.lower.empty() ? -infinity : problem_.lower[j]; }
+  double upper(std::size_t j) const { return problem_.upper.empty() ? infinity : problem_.upper[j]; }
+
+  static double objective(unsigned n, const double* z, double* gradient, void* data) {
+    auto& search = *static_cast<Search*>(data);
+    const Point* p = search.at(z, gradient != nullptr);
+    const bool known = p != nullptr && p->defined;
+    if (gradient != nullptr && known) std::ranges::copy(p->gradient, gradient);
+    if (gradient != nullptr && !known) std::fill_n(gradient, n, 0.0);
+    if (known) return p->objective;
+    // Without gradients a method compares values: undefined is worse than all others.
+    return search.by_gradients_ ? HUGE_VAL : search.worst_ + 1;
   }
 
-  std::vector<double> within(std::vector<double> z) const {
-    for (std::size_t j = 0; j < z.size(); ++j) z[j] = std::clamp(z[j], evaluator_.lower(j), evaluator_.upper(j));
-    return z;
+  static void rows(unsigned m, double* values, unsigned n, const double* z, double* gradient, void* data) {
+    const Point* p = static_cast<Search*>(data)->at(z, gradient != nullptr);
+    const bool known = p != nullptr && p->defined;
+    if (known)
+      std::ranges::copy(p->rows, values);
+    else
+      std::fill_n(values, m, HUGE_VAL);
+    if (gradient == nullptr) return;
+    if (known)
+      std::ranges::copy(p->jacobian, gradient);
+    else
+      std::fill_n(gradient, m * n, 0.0);
   }
 
-  std::vector<double> near(std::vector<double> z, double distance) {
-    for (double& v : z) v += distance * std::max(1.0, std::abs(v)) * random_.normal();
-    return within(std::move(z));
-  }
-
-  /// Looks around `z` for a point with finite values.
-  bool find_values(std::vector<double>& z) {
-    const std::vector<double> start = z;
-    for (int k = 0; k < 100; ++k) {
-      if (evaluator_.at(z, false).defined) return true;
-      if (evaluator_.left() == 0) break;
-      z = near(start, std::pow(10, k % 5 - 3));
+  /// Returns the values at z; null: the search is to end. Callbacks run only where z or the gradients are new.
+  const Point* at(const double* z, bool gradients) {
+    if (failure_ || stopped_) return nullptr;
+    try {
+      const std::span<const double> point(z, problem_.dimension);
+      stopped_ = !finite(point);
+      const bool known = evaluations_ > 0 && std::ranges::equal(point, point_.z);
+      if (!stopped_ && (!known || (gradients && point_.defined && !point_.has_gradient))) evaluate(point, gradients);
+      stopped_ = stopped_ || (gradients && point_.defined && !point_.has_gradient);
+      if (!stopped_) return &point_;
+    } catch (...) {
+      failure_ = std::current_exception();
     }
-    return false;
+    nlopt_force_stop(nlopt_.get());
+    return nullptr;
   }
 
-  OptimisationResult once(std::vector<double> z) {
-    const SearchEnd end = nlopt_search(evaluator_, options_, options_.step_tolerance, z);
-    if (end == SearchEnd::evaluations) return result(OptimisationStatus::evaluation_limit);
-    return result(feasible() ? OptimisationStatus::search_ended : OptimisationStatus::infeasible);
+  void evaluate(std::span<const double> z, bool gradients) {
+    progress_.report("optimise",
+                     std::min(1.0, static_cast<double>(evaluations_) /
+                                       static_cast<double>(std::max<std::size_t>(options_.max_evaluations, 1))));
+    const std::size_t n = problem_.dimension, m = problem_.inequality.rows;
+    point_.defined = point_.has_gradient = false;  // a callback may throw
+    point_.z.assign(z.begin(), z.end());
+    point_.x.resize(n);
+    for (std::size_t j = 0; j < n; ++j) point_.x[j] = std::clamp(z[j] * scale(j), lower(j), upper(j));
+    point_.gradient.assign(gradients ? n : 0, nan);
+    point_.jacobian.assign(gradients ? n * m : 0, nan);
+    point_.rows.assign(m, nan);
+    ++evaluations_;
+    point_.objective = problem_.objective(point_.x, point_.gradient) / problem_.objective_scale;
+    if (m > 0) problem_.inequality.evaluate(point_.x, point_.rows, point_.jacobian);
+    point_.violation = 0;
+    for (const double c : point_.rows) point_.violation = std::max(point_.violation, c);
+    for (std::size_t j = 0; gradients && j < n; ++j) {
+      point_.gradient[j] *= scale(j) / problem_.objective_scale;
+      for (std::size_t i = 0; i < m; ++i) point_.jacobian[i * n + j] *= scale(j);
+    }
+    point_.defined = std::isfinite(point_.objective) && finite(point_.rows);
+    point_.has_gradient = point_.defined && gradients && finite(point_.gradient) && finite(point_.jacobian);
+    if (point_.defined) remember();
   }
 
-  /// Returns whether `z` is feasible, as good as the best point seen, and satisfies the KKT conditions; fills
-  /// confirmed_.
-  bool confirm(const std::vector<double>& z) {
-    confirmed_.kkt_residual = nan;
-    const OptimisationPoint& point = evaluator_.at(z, true);
-    const double best = evaluator_.best().objective;
-    if (!point.has_gradient || point.violation > options_.constraint_tolerance) return false;
-    if (point.objective > best + options_.kkt_tolerance * std::max(1.0, std::abs(best))) return false;
-    confirmed_ = {OptimisationStatus::converged,
-                  point.x,
-                  point.objective * evaluator_.problem().objective_scale,
-                  point.violation,
-                  kkt_residual(evaluator_, point),
-                  evaluator_.evaluations()};
-    return confirmed_.kkt_residual <= options_.kkt_tolerance;
+  void remember() {
+    const double f = point_.objective * problem_.objective_scale, tolerance = options_.constraint_tolerance;
+    const bool feasible = point_.violation <= tolerance, was = best_.violation <= tolerance;
+    worst_ = best_.x.empty() ? point_.objective : std::max(worst_, point_.objective);
+    if (best_.x.empty() || (feasible && was ? f < best_.objective : point_.violation < best_.violation && !was))
+      best_ = {point_.x, f, point_.violation, 0};
   }
 
-  /// Infeasible where the largest violation has a confirmed local minimum above the tolerance; the evaluator has seen
-  /// the point.
-  OptimisationResult min_violation() {
-    const OptimisationProblem elastic = elastic_problem(evaluator_.problem());
-    OptimisationOptions options = options_;
-    options.method = OptimisationMethod::slsqp;
-    options.max_evaluations = evaluator_.left();
-    std::vector<double> start = evaluator_.best().x;
-    start.push_back(evaluator_.best().violation);
-    OptimisationResult least = Solve(elastic, options, progress_).run(start, false);
-    evaluator_.count(least.evaluations);
-    least.x.pop_back();
-    evaluator_.at(evaluator_.scaled(least.x), false);
-    const bool proven =
-        least.status == OptimisationStatus::converged && least.objective > options_.constraint_tolerance;
-    return result(proven ? OptimisationStatus::infeasible : OptimisationStatus::stalled, least.kkt_residual);
-  }
-
-  OptimisationResult result(OptimisationStatus status, double kkt = nan) const {
-    const OptimisationPoint& best = evaluator_.best();
-    if (!best.defined) return {.status = status, .x = best.x, .evaluations = evaluator_.evaluations()};
-    return {status,         best.x, best.objective * evaluator_.problem().objective_scale,
-            best.violation, kkt,    evaluator_.evaluations()};
-  }
-
+  const OptimisationProblem& problem_;
   const OptimisationOptions& options_;
   Progress progress_;
-  OptimisationEvaluator evaluator_;
-  Random random_;
-  OptimisationResult confirmed_;
+  bool by_gradients_;
+  std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> nlopt_;
+  Point point_;
+  OptimisationResult best_;
+  double worst_ = 0;  // scaled
+  std::size_t evaluations_ = 0;
+  std::exception_ptr failure_;
+  bool stopped_ = false;
 };
 
 }  // namespace
 
 OptimisationResult minimise(const OptimisationProblem& problem, std::span<const double> start,
                             const OptimisationOptions& options, Progress progress) {
-  check(problem, start, options);
-  OptimisationResult contradiction{OptimisationStatus::infeasible, {start.begin(), start.end()}, nan, 0, nan, 0};
-  for (std::size_t j = 0; j < problem.dimension && !problem.lower.empty() && !problem.upper.empty(); ++j) {
-    const double low = problem.lower[j], high = problem.upper[j];
-    contradiction.x[j] = low > high ? std::midpoint(low, high) : std::clamp(start[j], low, high);
-    if (low > high)
-      contradiction.violation =
-          std::max(contradiction.violation, (low - high) / 2 / (problem.scale.empty() ? 1 : problem.scale[j]));
-  }
-  if (contradiction.violation > 0) return contradiction;
-  return Solve(problem, options, progress).run(start, true);
+  check_sizes(problem, start);
+  return Search(problem, options, progress).run(start);
 }
 
 }  // namespace bahnwerk

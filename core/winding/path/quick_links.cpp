@@ -221,8 +221,6 @@ class Quickener {
     link.best = {.shape = shape,
                  .objective = search.best_time,
                  .smoothness = bahnwerk::smoothness(rule_, link.ends, shape, options_.weights),
-                 .kkt_residual = std::numeric_limits<double>::quiet_NaN(),
-                 .status = OptimisationStatus::search_ended,
                  .evaluations = 0};
     link.curvature = turned_angle(piece);
     result_.path.pieces[link.piece].curve = curves_[link.piece] = piece;

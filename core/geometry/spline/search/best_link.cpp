@@ -69,8 +69,6 @@ BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, const BestL
   LinkShape shape = variables.scaled(x);
   shape.weights = held;
   best.smoothness = smoothness(rule, scaled, shape, weights);
-  best.status = result.status;
-  best.kkt_residual = result.kkt_residual;
   best.evaluations = result.evaluations;
   return best;
 }

@@ -13,11 +13,9 @@ enum class LinkObjective { curvature, control_distance };
 
 /// The result of the search.
 struct BestLink {
-  LinkShape shape;          ///< β by the parameters of the given ends
-  double objective = 0;     ///< the minimised value, without the term that makes (4.61) unique
-  double smoothness = 0;    ///< J of (4.60), also for other objectives
-  double kkt_residual = 0;  ///< residual of the KKT conditions at the end of the search; see OptimisationResult
-  OptimisationStatus status = OptimisationStatus::undefined;
+  LinkShape shape;        ///< β by the parameters of the given ends
+  double objective = 0;   ///< the minimised value, without the term that makes (4.61) unique
+  double smoothness = 0;  ///< J of (4.60), also for other objectives
   std::size_t evaluations = 0;
 };
 
@@ -30,8 +28,8 @@ struct BestLinkOptions {
   std::size_t max_evaluations = 2000;  ///< of the objective, about 6 µs each for k = 3
 };
 
-/// Returns a local minimum, found by sequential quadratic programming with analytic gradients; never worse than its
-/// start.
+/// Returns the end of a search for a local minimum by sequential quadratic programming with analytic gradients; never
+/// worse than its start.
 ///
 /// Variables and their bounds: link_variables.hpp. (4.61) has a set of minima: 1e-2·chord·J/J(start) is added, which
 /// selects the smoothest of them. Throws what link() throws.

@@ -13,16 +13,14 @@ namespace bahnwerk {
 /// over the objective and all rows, relative to max(1, |derivative|). About 1e-8 for smooth functions of order 1 and
 /// the step given.
 inline double gradient_error(const OptimisationProblem& problem, std::vector<double> x, double step = 1e-5) {
-  const std::size_t n = x.size(), m = problem.inequality.rows, p = problem.equality.rows;
+  const std::size_t n = x.size(), m = problem.inequality.rows;
   const auto values = [&](std::span<double> gradient, std::span<double> jacobian) {
-    std::vector<double> all(1 + m + p);
+    std::vector<double> all(1 + m);
     all[0] = problem.objective(x, gradient);
-    const std::size_t split = jacobian.empty() ? 0 : n * m;
-    if (m > 0) problem.inequality.evaluate(x, std::span(all).subspan(1, m), jacobian.first(split));
-    if (p > 0) problem.equality.evaluate(x, std::span(all).subspan(1 + m), jacobian.subspan(split));
+    if (m > 0) problem.inequality.evaluate(x, std::span(all).subspan(1), jacobian);
     return all;
   };
-  std::vector<double> slopes(n * (1 + m + p));
+  std::vector<double> slopes(n * (1 + m));
   values(std::span(slopes).first(n), std::span(slopes).subspan(n));
   double worst = 0;
   for (std::size_t j = 0; j < n; ++j) {

@@ -34,14 +34,12 @@ inline KnownProblem tutorial() {
     fill(g, {0, 0.5 / std::sqrt(x[1])});
     return std::sqrt(x[1]);
   };
-  p.inequality = {2,
-                  [](Point x, Values c, Values j) {
+  p.inequality = {2, [](Point x, Values c, Values j) {
                     const double a = 2 * x[0], b = 1 - x[0];
                     c[0] = a * a * a - x[1];
                     c[1] = b * b * b - x[1];
                     fill(j, {6 * a * a, -1, -3 * b * b, -1});
-                  },
-                  {}};
+                  }};
   return {p, {1.234, 5.678}, 0.54433105395181736, {1.0 / 3, 8.0 / 27}};
 }
 
@@ -56,7 +54,7 @@ inline KnownProblem rosenbrock() {
   return {p, {-1.2, 1}, 0, {1, 1}};
 }
 
-/// The next four: Hock, Schittkowski: Test Examples for Nonlinear Programming Codes, 1981.
+/// The next three: Hock, Schittkowski: Test Examples for Nonlinear Programming Codes, 1981.
 inline KnownProblem hs35() {
   OptimisationProblem p;
   p.dimension = 3;
@@ -66,12 +64,10 @@ inline KnownProblem hs35() {
     return 9 - 8 * x[0] - 6 * x[1] - 4 * x[2] + 2 * x[0] * x[0] + 2 * x[1] * x[1] + x[2] * x[2] + 2 * x[0] * x[1] +
            2 * x[0] * x[2];
   };
-  p.inequality = {1,
-                  [](Point x, Values c, Values j) {
+  p.inequality = {1, [](Point x, Values c, Values j) {
                     c[0] = x[0] + x[1] + 2 * x[2] - 3;
                     fill(j, {1, 1, 2});
-                  },
-                  {}};
+                  }};
   return {p, {0.5, 0.5, 0.5}, 1.0 / 9, {4.0 / 3, 7.0 / 9, 4.0 / 9}};
 }
 
@@ -82,8 +78,7 @@ inline KnownProblem hs43() {
     fill(g, {2 * x[0] - 5, 2 * x[1] - 5, 4 * x[2] - 21, 2 * x[3] + 7});
     return x[0] * x[0] + x[1] * x[1] + 2 * x[2] * x[2] + x[3] * x[3] - 5 * x[0] - 5 * x[1] - 21 * x[2] + 7 * x[3];
   };
-  p.inequality = {3,
-                  [](Point x, Values c, Values j) {
+  p.inequality = {3, [](Point x, Values c, Values j) {
                     const double a = x[0] * x[0], b = x[1] * x[1], d = x[2] * x[2], e = x[3] * x[3];
                     c[0] = a + b + d + e + x[0] - x[1] + x[2] - x[3] - 8;
                     c[1] = a + 2 * b + d + 2 * e - x[0] - x[3] - 10;
@@ -91,34 +86,8 @@ inline KnownProblem hs43() {
                     fill(j, {2 * x[0] + 1, 2 * x[1] - 1, 2 * x[2] + 1, 2 * x[3] - 1,  //
                              2 * x[0] - 1, 4 * x[1], 2 * x[2], 4 * x[3] - 1,          //
                              4 * x[0] + 2, 2 * x[1] - 1, 2 * x[2], -1});
-                  },
-                  {}};
+                  }};
   return {p, {0, 0, 0, 0}, -44, {0, 1, 2, -1}};
-}
-
-inline KnownProblem hs71() {
-  OptimisationProblem p;
-  p.dimension = 4;
-  p.lower = {1, 1, 1, 1};
-  p.upper = {5, 5, 5, 5};
-  p.objective = [](Point x, Values g) {
-    const double sum = x[0] + x[1] + x[2];
-    fill(g, {x[3] * (sum + x[0]), x[0] * x[3], x[0] * x[3] + 1, x[0] * sum});
-    return x[0] * x[3] * sum + x[2];
-  };
-  p.inequality = {1,
-                  [](Point x, Values c, Values j) {
-                    c[0] = 25 - x[0] * x[1] * x[2] * x[3];
-                    fill(j, {-x[1] * x[2] * x[3], -x[0] * x[2] * x[3], -x[0] * x[1] * x[3], -x[0] * x[1] * x[2]});
-                  },
-                  {}};
-  p.equality = {1,
-                [](Point x, Values c, Values j) {
-                  c[0] = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3] - 40;
-                  fill(j, {2 * x[0], 2 * x[1], 2 * x[2], 2 * x[3]});
-                },
-                {}};
-  return {p, {1, 5, 5, 1}, 17.0140172891520, {1, 4.74299963, 3.82114998, 1.37940829}};
 }
 
 inline KnownProblem hs100() {
@@ -130,8 +99,7 @@ inline KnownProblem hs100() {
     return std::pow(x[0] - 10, 2) + 5 * std::pow(x[1] - 12, 2) + std::pow(x[2], 4) + 3 * std::pow(x[3] - 11, 2) +
            10 * std::pow(x[4], 6) + 7 * x[5] * x[5] + std::pow(x[6], 4) - 4 * x[5] * x[6] - 10 * x[5] - 8 * x[6];
   };
-  p.inequality = {4,
-                  [](Point x, Values c, Values j) {
+  p.inequality = {4, [](Point x, Values c, Values j) {
                     c[0] = 2 * x[0] * x[0] + 3 * std::pow(x[1], 4) + x[2] + 4 * x[3] * x[3] + 5 * x[4] - 127;
                     c[1] = 7 * x[0] + 3 * x[1] + 10 * x[2] * x[2] + x[3] - x[4] - 282;
                     c[2] = 23 * x[0] + x[1] * x[1] + 6 * x[5] * x[5] - 8 * x[6] - 196;
@@ -164,8 +132,7 @@ inline KnownProblem hs100() {
                              0,
                              5,
                              -11});
-                  },
-                  {}};
+                  }};
   return {p, {1, 2, 0, 4, 0, 1, 1}, 680.630057374402, {}};
 }
 
@@ -201,8 +168,7 @@ inline KnownProblem banded_quadratic(std::size_t n, double coupling = 4) {
     }
     return sum;
   };
-  p.inequality = {n - 2,
-                  [d, n](Point at, Values c, Values j) {
+  p.inequality = {n - 2, [d, n](Point at, Values c, Values j) {
                     std::ranges::fill(j, 0);
                     for (std::size_t i = 0; i + 2 < n; ++i) {
                       c[i] = at[i] - 2 * at[i + 1] + at[i + 2] - (*d)[i];
@@ -210,8 +176,7 @@ inline KnownProblem banded_quadratic(std::size_t n, double coupling = 4) {
                       j[i * n + i] = j[i * n + i + 2] = 1;
                       j[i * n + i + 1] = -2;
                     }
-                  },
-                  {}};
+                  }};
   const double minimum = p.objective(x, {});
   return {p, std::vector<double>(n), minimum, x};
 }
