@@ -29,7 +29,7 @@ class Builder : public nlohmann::json_sax<json> {
   bool boolean(bool value) override { return place(value); }
   bool number_integer(number_integer_t value) override { return place(value); }
   bool number_unsigned(number_unsigned_t value) override {
-    // An integer has one form: signed where it fits, because the schema compares numbers that way.
+    // An integer has one form: signed where it fits, because the schema compares numbers in that form.
     if (value <= static_cast<number_unsigned_t>(std::numeric_limits<number_integer_t>::max()))
       return place(static_cast<number_integer_t>(value));
     return place(static_cast<double>(value));

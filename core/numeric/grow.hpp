@@ -7,8 +7,8 @@
 
 namespace bahnwerk {
 
-/// Reserves room for at least `least` values and at least 1.5 times the present ones; calls progress.report() while it
-/// copies. O(values) if new memory is needed.
+/// Reserves memory for at least `least` values and at least 1.5 times the present ones; calls progress.report() while
+/// it copies. O(values) if new memory is needed.
 template <class Values, class Pulse>
 void grow(Values& values, std::size_t least, Pulse& progress) {
   if (least <= values.capacity()) return;
@@ -24,7 +24,7 @@ void grow(Values& values, std::size_t least, Pulse& progress) {
 }
 
 /// Returns the expected number of values of the whole, and a little more, if `values` are those of its first `part`, 0
-/// to 1: at most 1 500 times `values`, and `values` itself where nothing is known. Unused room costs nothing, growing
+/// to 1: at most 1 500 times `values`, and `values` itself where nothing is known. Unused memory costs nothing, growing
 /// again does.
 inline std::size_t foreseen(std::size_t values, double part) {
   constexpr double reserve = 1.5, most_ahead = 1500;

@@ -16,7 +16,7 @@ struct SplinePlanning {
   int continuous = 3;                       ///< order up to which derivatives are continuous
   int columns = 2;                          ///< order up to which the setpoints have columns of derivatives, 0 to 4
   Bound bound;
-  /// Makes additional checks of the served motion; empty: none.
+  /// Makes additional checks of the planned motion; empty: none.
   std::function<std::vector<Check>(const Motion&)> more_checks = {};
   double max_setpoints = 20'000'000;
 };

@@ -19,7 +19,7 @@ double unreachable_speed(const ProbeProblem& problem) {
     j = std::hypot(j, problem.axis(k).jerk);
     s = std::hypot(s, problem.axis(k).snap);
   }
-  // Braking takes half of the way.
+  // Braking takes half of the distance.
   return std::min({std::sqrt(a * length), std::cbrt(j * length * length), std::sqrt(std::sqrt(s * length) * length)});
 }
 

@@ -39,7 +39,7 @@ double needed_slowing(const ProbeProblem& problem, const ProbeMotion& plan, doub
 }
 
 ProbeMotion within_limits(const ProbeProblem& problem, ProbeMotion motion, ProgressScope& progress) {
-  // A motion that is slowed by a little is rounded another way.
+  // A motion that is slowed by a little is rounded differently.
   constexpr double other = 1.000123, negligible = 1.5e-10;
   constexpr int rounds = 8;
   const ProbeMotion planned = motion;

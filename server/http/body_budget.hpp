@@ -17,7 +17,7 @@ class BodyBudget {
     ~Share() { budget_->taken_ -= bytes_; }
     Share(const Share&) = delete;
     Share& operator=(const Share&) = delete;
-    /// Returns false if there is no room for that many more bytes.
+    /// Returns false if the budget is less than that many more bytes.
     bool add(std::size_t bytes) {
       if ((budget_->taken_ += bytes) > budget_->most_) {
         budget_->taken_ -= bytes;

@@ -44,7 +44,7 @@ std::size_t skip_blank_lines(beast::flat_buffer& buffer) {
   }
 }
 
-/// The error of a request for whose body the memory for all bodies has no room.
+/// The error of a request whose body exceeds the memory left for all bodies.
 const error_code no_room = make_error_code(boost::system::errc::not_enough_memory);
 
 }  // namespace

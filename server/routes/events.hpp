@@ -11,7 +11,7 @@ void events(Context& context, const RequestPtr& request, const Reply& reply);
 
 /// GET /v1/events: the same of all jobs that the client may see, or of those of a kind, or that enter a state.
 /// `progress` has the job's id, too, `removed` the id of a job that was deleted; `gap` says that the list has to be
-/// read anew. The id is the number of the change, as in GET /v1/changes. The stream has no end.
+/// read again. The id is the number of the change, as in GET /v1/changes. The stream has no end.
 void all_events(Context& context, const RequestPtr& request, const Reply& reply);
 
 }  // namespace bahnwerk::server

@@ -16,7 +16,7 @@ inline constexpr std::size_t min_memory = std::size_t{192} << 20;
 std::size_t default_memory_limit(std::size_t host);
 
 /// Limits the data of this process (RLIMIT_DATA: heap, anonymous mappings, threads' stacks) to `bytes` for ever, and
-/// installs the handler that gives way to answering threads: an allocation that fails in a thread with a MemoryUse
+/// installs the handler that yields to answering threads: an allocation that fails in a thread with a MemoryUse
 /// throws std::bad_alloc at once; in another thread it opens the reserve, the last memory_reserve(bytes) below the
 /// limit. Returns false if the system refuses.
 bool limit_memory(std::size_t bytes);

@@ -77,7 +77,7 @@ class Store : public ChangeSource {
   /// Ends queued jobs whose deadline has passed as deadline-exceeded. Running jobs whose lease has run out have lost
   /// their attempt: they return to the queue with its number, so that the next one differs; they end as cancelled when
   /// that was requested, or as worker-lost after max_losses_alone. Removes ended jobs beyond the
-  /// store's retention, frees what removed jobs have left, and gives room back to the disk. A few hundred jobs or some
+  /// store's retention, frees what removed jobs have left, and gives space back to the disk. A few hundred jobs or some
   /// megabytes per call; writes only when there are any.
   virtual Expired expire(std::int64_t now) = 0;
 

@@ -41,7 +41,7 @@ struct Running {
   std::uint64_t revision = 0;
 };
 
-/// The room that a store takes, and the age of its queue.
+/// The disk space that a store takes, and the age of its queue.
 struct StoreStatus {
   double bytes = 0, log_bytes = 0;            ///< of the jobs, and of what was not moved to them yet
   double free_bytes = 0;                      ///< bytes that may still be written; infinity: unknown
@@ -174,7 +174,7 @@ struct Retention {
   std::optional<std::int64_t> time = {};   ///< ms since the end
   std::optional<std::int64_t> jobs = {};   ///< number of ended jobs
   std::optional<std::int64_t> bytes = {};  ///< size of the whole store
-  std::int64_t spare_bytes = 16 << 20;     ///< free room that the store's file keeps; more is given back to the disk
+  std::int64_t spare_bytes = 16 << 20;     ///< free space that the store's file keeps; more is given back to the disk
 };
 
 enum class Removed { yes, running, unknown, refused };  ///< refused: the condition of the call did not hold

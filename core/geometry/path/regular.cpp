@@ -70,7 +70,7 @@ void suspects(const VectorPolynomial& v, Interval range, double negligible, doub
     along += std::abs(dot(v0, coefficient(local, k)));
   }
   const bool tiny = size + rest <= negligible;
-  // v has a positive component along v(middle) on the whole interval (with room for a zero at its border).
+  // v has a positive component along v(middle) on the whole interval (with a margin for a zero at its border).
   const bool positive = !tiny && along < 0.999 * size * size;
   if (positive && (size * size - along >= slow * size || monotonous(local))) return;
   if (tiny || depth == 0 || found.size() > 4096 || (positive && range.high - range.low <= needle_width)) {

@@ -17,7 +17,7 @@ namespace bahnwerk {
 
 namespace {
 
-constexpr std::size_t max_foreseen = 16'000'000;  // largest number of pieces that room is made for
+constexpr std::size_t max_foreseen = 16'000'000;  // largest number of pieces for which memory is reserved
 constexpr double first_growth = 3;                // assumed ratio of cells after dividing to cells before
 
 /// Plans sections of one path.
@@ -98,7 +98,7 @@ class SectionPlanner {
     window_.write(cells, law, stage_progress);
   }
 
-  /// Makes room for the law of so many cells. If the law has to grow, it gets what the rest of the path lets expect.
+  /// Reserves memory for the law of so many cells. A law that has to grow gets what the rest of the path lets expect.
   void make_room(TimeLaw& law, std::size_t cells, ProgressScope& stage_progress) const {
     const double done = path_[window_.segment(cells - 1)].s1() / path_.tool().length();
     law.reserve(cells + 2, std::min(foreseen(law.pieces().size() + cells, done), max_foreseen), stage_progress);

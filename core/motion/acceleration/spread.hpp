@@ -10,8 +10,8 @@
 
 namespace bahnwerk {
 
-/// Makes room for divided cells: each part gets the value of its cell. `values` may hold one more value, which stays
-/// the last one. O(cells).
+/// Spreads values over divided cells: each part gets the value of its cell. `values` may hold one more value, which
+/// stays the last one. O(cells).
 template <class Values>
 void spread(Values& values, const LargeVector<std::uint8_t>& parts, std::size_t cells, ProgressScope& progress) {
   std::size_t from = values.size(), to = from + cells - parts.size();

@@ -82,7 +82,7 @@ class Section {
     return hill(left, right, std::max(left.v, right.v));
   }
 
-  /// Returns the changes with this speed at the top, if limits and room allow it.
+  /// Returns the changes with this speed at the top, if limits and the distance allow it.
   std::optional<Hill> hill(const FeedHold& left, const FeedHold& right, double top) const {
     const double room = right.s0 - left.s1;
     const auto rise = changes_.find(left.s1, left.v, top, true, room);

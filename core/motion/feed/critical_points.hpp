@@ -10,10 +10,10 @@
 /// are far enough apart for a higher speed, that speed is reached. A speed therefore never has to be lowered later
 /// because a segment is too short to brake, and every intermediate law can be driven.
 ///
-/// More cells follow the limits more closely but leave less room between two holds. Where a feed uses the axes in full,
-/// no change can start, least of all one whose acceleration jumps. Segments are therefore planned whole, in 4 and in 16
-/// cells, each with all and with 0.93 of the axes' limits; the fastest law of these six and of the constant feed is the
-/// result.
+/// More cells follow the limits more closely but leave less distance between two holds. Where a feed uses the axes in
+/// full, no change can start, least of all one whose acceleration jumps. Segments are therefore planned whole, in 4 and
+/// in 16 cells, each with all and with 0.93 of the axes' limits; the fastest law of these six and of the constant feed
+/// is the result.
 ///
 /// Deviations from the source: the axes' limits count, in feeds and in changes; a change may extend over joints; the
 /// acceleration of a change is what the axes allow at its place.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int max_parts = 16;  // cells made at once; an interval with more is halved first
 constexpr int end_halvings = 4;
-constexpr std::size_t usual_segment = 1 << 10;  // cells; longer ones may outgrow the room that was made for them
+constexpr std::size_t usual_segment = 1 << 10;  // cells; longer ones may outgrow the memory that was reserved for them
 constexpr double shortest_smooth =
     1e-5;  // shortest cell next to a vanishing tangent without effect on motions, as a part of a segment
 constexpr double needle_reach = 2e-11;  // part of a segment beside a needle point for which cells may be too wide

@@ -60,7 +60,7 @@ class Grid {
   const Station<N>& left(std::size_t c) const { return stations[cells[c].station]; }
   const Station<N>& right(std::size_t c) const { return stations[cells[c].station + 1]; }
 
-  /// Reserves room for this many cells; growing step by step would touch twice the memory.
+  /// Reserves memory for this many cells; growing step by step would touch twice the memory.
   void reserve(std::size_t cells_expected) {
     stations.reserve(cells_expected);
     cells.reserve(cells_expected);

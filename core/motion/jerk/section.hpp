@@ -273,7 +273,7 @@ class JerkSectionPlanner {
   LargeVector<double> ceiling_;   // caps of v² at each node of the current grid; empty: none
   bool divides_ = true;           // whether cells in which the law switches are divided
   std::size_t keep_ = all_cells;  // number of cells of a window that the rest at its end does not slow
-  /// Whether caps of nodes give the cells beside them more room (build_problem()), and whether that is forbidden
+  /// Whether caps of nodes let the cells beside them be faster (build_problem()), and whether that is forbidden
   /// because the solver diverged.
   bool wider_caps_ = false, strict_caps_ = false;
   double overlap_ = 1,

@@ -60,8 +60,8 @@ class TimeLaw {
     piece.t0 = t;
     return piece;
   }
-  /// Reserves room for `more` pieces; if the vector has to grow, for `all` if that is known. Unused room costs nothing,
-  /// growing again does.
+  /// Reserves memory for `more` pieces; if the vector has to grow, for `all` if that is known. Unused memory costs
+  /// nothing, growing again does.
   void reserve(std::size_t more, std::size_t all = 0) {
     const std::size_t least = pieces_.size() + more;
     if (least > pieces_.capacity()) pieces_.reserve(std::max({least, all, 3 * pieces_.capacity() / 2}));

@@ -40,7 +40,7 @@ Rise double_s(double height, double acceleration, double jerk) {
   return rise;
 }
 
-/// The wave with height 1 and duration 1, in as many cubics as a rise has room for.
+/// The wave with height 1 and duration 1, in as many cubics as a rise holds.
 struct Wave {
   static constexpr std::size_t parts = 16;
   std::array<RisePiece, parts> piece{};

@@ -12,10 +12,10 @@
 
 namespace bahnwerk {
 
-/// Part of the way to the nearest bound that a step takes.
+/// Part of the distance to the nearest bound that a step takes.
 inline constexpr double to_boundary = 0.995;
-/// Returns the longest step, at most 1, that takes no more than `part` of the way to the nearest bound. `reach` is the
-/// largest −change/value of the numbers that stay positive.
+/// Returns the longest step, at most 1, that takes no more than `part` of the distance to the nearest bound. `reach` is
+/// the largest −change/value of the numbers that stay positive.
 inline double step_length(double reach, double part = to_boundary) { return part / std::max(part, reach); }
 
 /// Returns the factor by which μ falls after a step of this length: the shorter it was, the less.

@@ -1,6 +1,6 @@
 #pragma once
-/// A coarse motion adapted to the head's motion as it is served: slowed alike, with common borders of pieces and exact
-/// rest at the end.
+/// A coarse motion adapted to the head's motion as its setpoints have it: slowed alike, with common borders of pieces
+/// and exact rest at the end.
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -14,7 +14,7 @@ namespace bahnwerk {
 /// and the law's pieces end at the same time up to rounding, they end at the law's time; otherwise there would be
 /// instants at which the head has changed its acceleration and the coarse axes have not. The rounding error that
 /// thousands of pieces sum up to at the end, instead of rest, is removed within the last piece of each axis that is
-/// polynomial there. The fitted motion is verified and served. final_state() is at rest.
+/// polynomial there. The fitted motion is what is verified and sampled. final_state() is at rest.
 class FittedMotion final : public Motion {
  public:
   /// `rest` is the order up to which derivatives are 0 at the end: 1 velocity, 2 also acceleration. O(pieces of both).

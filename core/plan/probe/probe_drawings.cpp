@@ -112,7 +112,7 @@ std::string probe_path_drawing(const ProbePlan& plan) {
                 y,
                 (high[view.across] - low[view.across] + 2 * margin) * scale,
                 (high[view.up] - low[view.up] + 2 * margin) * scale};
-    // A view that is nearly a line gets room.
+    // A view that is nearly a line is made higher.
     if (frame.height < least_plot) frame.low_y -= (least_plot - frame.height) / 2 / scale, frame.height = least_plot;
     if (frame.width < least_plot) frame.low_x -= (least_plot - frame.width) / 2 / scale, frame.width = least_plot;
     body += axes_of(frame, view);

@@ -18,7 +18,7 @@ namespace {
 // Parts of the progress at which the stages end; the bound comes last.
 constexpr double planned = 0.7, verified = 0.8, read = 0.85;
 
-/// Every method's motion keeps its limits by construction, with room for rounding: nothing is corrected.
+/// Every method's motion keeps its limits by construction, with a margin for rounding: nothing is corrected.
 class ProbeMotionProblem final : public MotionProblem {
  public:
   ProbeMotionProblem(const ProbeRequest& request, std::shared_ptr<const ProbeProblem> problem, Progress progress)

@@ -56,12 +56,12 @@ class WireRun {
   std::vector<double> before_;  ///< mm, per segment: offset that makes the wire's length continuous at joints
 };
 
-/// Measures the wire in served rows with the columns x, y, z, phi, psi, s, brake. The drawn length is computed in every
-/// row; its speed and acceleration are differences of three rows, means over two cycles. In the middle of every cycle
-/// they are means over that cycle from the sampled motion, with the mean of the brake's forces of both rows. These are
-/// samples, not enclosures. Means over shorter times would be unbounded: where the wire begins to lie on its bend
-/// circle, the derivative of its length has a square root, and its acceleration a pole. Changes of coils are left out,
-/// because nothing describes their wire. 2 µs per row.
+/// Measures the wire in rows of setpoints with the columns x, y, z, phi, psi, s, brake. The drawn length is computed in
+/// every row; its speed and acceleration are differences of three rows, means over two cycles. In the middle of every
+/// cycle they are means over that cycle from the sampled motion, with the mean of the brake's forces of both rows.
+/// These are samples, not enclosures. Means over shorter times would be unbounded: where the wire begins to lie on its
+/// bend circle, the derivative of its length has a square root, and its acceleration a pole. Changes of coils are left
+/// out, because nothing describes their wire. 2 µs per row.
 class WireRows final : public RowCheck {
  public:
   /// All arguments must outlive this object. Throws std::invalid_argument if columns are missing.

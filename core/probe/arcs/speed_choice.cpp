@@ -9,7 +9,7 @@
 
 namespace bahnwerk::probe {
 namespace {
-constexpr double length_rounding = 1e-9;  // relative to an edge: room for the rounding of directions
+constexpr double length_rounding = 1e-9;  // relative to an edge: margin for the rounding of directions
 constexpr int speed_steps = 50;           // steps of the bisection for a speed: to 1e-15 of the interval
 constexpr int reach_steps = 40;
 // Candidates: speeds of one series, so that neighbours may turn at one speed, which takes no length between, down to a

@@ -105,7 +105,7 @@ void TurnPath::repair(ProgressScope& progress) {
   lower_nodes.take();
   for (;;) {
     const std::vector<std::size_t> seen = unchecked_.take();
-    // Speeds are lowered by little at first: neighbours give way, too.
+    // Speeds are lowered by little at first: neighbours fall, too.
     const auto lower = [&](std::size_t i) {
       if (!turns(i)) return;
       factor[i] = std::min(factor[i], 1 - std::min(0.5, 0.004 * (1 << std::min(lowered[i], 8))));

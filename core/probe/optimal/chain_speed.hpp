@@ -4,8 +4,8 @@
 
 namespace bahnwerk {
 
-/// Returns the factor by which the chain has to be slowed to keep speed, acceleration, jerk and snap with room `margin`
-/// (0.01: 1 % below the limit); it is below 1 where the chain may be quicker.
+/// Returns the factor by which the chain has to be slowed to keep speed, acceleration, jerk and snap with the margin
+/// `margin` (0.01: 1 % below the limit); it is below 1 where the chain may be quicker.
 template <int D>
 double slowing_factor(const CellChain<D>& chain, const ChainLimits<D>& limits, double margin);
 

@@ -225,7 +225,7 @@ double rounded_to_36_bits(double x) {
 
 // Plans in units of the time that an edge takes at full speed on average, with limits that rounding of this unit leaves
 // as they are: problems that differ by the scale of time are one and the same problem, and their durations differ by
-// that scale exactly. The limits' room for rounding is wider than what they are rounded by.
+// that scale exactly. The limits' margin for rounding is wider than what they are rounded by.
 ProbeMotion shortest(const ProbeProblem& problem, const Report& report, ProgressScope& scope) {
   constexpr double no_tube = 1e-9;  // mm
   const double length = probe::polyline_length(problem);

@@ -25,8 +25,8 @@ ProfileLimits least_limits(const ProbeProblem& problem) {
 }
 
 /// Returns the length of the polygon up to each given point, mm. Points nearer to each other than ten tolerances may be
-/// out of order along the path: lengths are those between points that are farther apart, and the way in that direction
-/// between, as far as it grows.
+/// out of order along the path: lengths are those between points that are farther apart, and the distance in that
+/// direction between, as far as it grows.
 std::vector<double> lengths(const ProbeProblem& problem) {
   const std::vector<Vec>& given = problem.given;
   std::vector<double> along(given.size(), 0.0);
@@ -217,7 +217,7 @@ ChosenPoints PointChoice::chosen() {
     out.along.push_back(places_[i].along);
     out.curve.push_back(places_[i].curve);
     double room = places_[i].room;
-    // On the curve, the points beside it keep half of their room.
+    // On the curve, the points beside it keep half of their tolerance.
     for (std::size_t k = before; places_[i].fitted && k <= behind; ++k)
       if (k > 0 && k + 1 < n) room = std::min(room, places_[k].room / 2);
     out.ball.push_back(i == 0 || i + 1 == n ? 0 : room);
@@ -228,7 +228,7 @@ ChosenPoints PointChoice::chosen() {
     double beside = 0;
     for (std::size_t i = from + 1; i < to; ++i)
       beside = std::max(beside, distance_from_edge(problem_.points[i], out.at[c], out.at[c + 1]));
-    // The points between have to be inside with room; what leaves their edges' tubes is found afterwards.
+    // The points between have to be inside with a margin; what leaves their edges' tubes is found afterwards.
     out.tube.push_back(std::max(problem_.tolerance - moved - beside, std::max(1.5 * beside, problem_.tolerance / 2)));
     if (to == from + 1 && moved == 0) out.tube.back() = problem_.tolerance;
   }

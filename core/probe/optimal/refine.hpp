@@ -5,7 +5,8 @@
 namespace bahnwerk {
 
 /// Appends the move along edge `edge`, from rest at its first point, where `chain` ends, to rest at the next one, on
-/// the segment: one cell, or three where there is room to reach the speed. The cells keep every limit with 10 % room.
+/// the segment: one cell, or three where there is room to reach the speed. The cells keep every limit with a margin of
+/// 10 %.
 template <int D>
 void append_stopping_edge(CellChain<D>& chain, const ChainLimits<D>& limits, std::size_t edge);
 

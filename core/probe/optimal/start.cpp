@@ -94,7 +94,7 @@ class Passage {
   bool on_curve(std::size_t i) const {
     return !limits_.curve.empty() && limits_.curve[from_ + i][0] != std::array<double, D>{};
   }
-  // Returns the way along the curve from point i to the next one, or along the edge where the curve's is not about
+  // Returns the distance along the curve from point i to the next one, or along the edge where the curve's is not about
   // that.
   double way(std::size_t i) const {
     const double edge = length(i);

@@ -1,5 +1,5 @@
 #pragma once
-/// The start of the search: a slow motion that keeps every limit and the tube with room.
+/// The start of the search: a slow motion that keeps every limit and the tube with a margin.
 #include "core/probe/optimal/chain.hpp"
 
 namespace bahnwerk {

@@ -270,7 +270,7 @@ bool SplineRun::finish(ProgressScope& progress) {
     progress.work(16);
   }
   if (!inside) return false;
-  scale *= 1 + 2e-9;  // room for rounding, and for enclosures of whoever checks
+  scale *= 1 + 2e-9;  // margin for rounding, and for enclosures of whoever checks
   for (double& t : time_) t *= scale;
   for (SepticEnd& e : ends_) e.v = e.v / scale, e.a = e.a / (scale * scale), e.j = e.j / (scale * scale * scale);
   return true;

@@ -29,15 +29,15 @@
 
 namespace bahnwerk::verify {
 
-/// A way, ahead or behind, on which an axis keeps its direction. The default values state that nothing is known.
+/// A distance, ahead or behind, over which an axis keeps its direction. The default values state that nothing is known.
 struct AxisWay {
   double displacement = 0, steps = 0,
          end = std::numeric_limits<double>::infinity();  ///< distance, mm; sum of the steps of acceleration on it, and
                                                          ///< largest acceleration at its end, mm/s²
 };
 
-/// Returns the largest acceleration of an axis at speed u (mm/s), against its direction for the way ahead, in its
-/// direction for the way behind; mm/s².
+/// Returns the largest acceleration of an axis at speed u (mm/s), against its direction for the distance ahead, in its
+/// direction for the distance behind; mm/s².
 inline double most_braking(double u, double jerk, const AxisWay& w) {
   const double free = 2 * jerk * u;
   return w.steps + std::min(std::sqrt(free) + u * u / (2 * w.displacement), std::sqrt(free + w.end * w.end));
@@ -50,7 +50,7 @@ struct JerkCapPiece {
   std::size_t axes = N;
   Row acceleration{}, jerk{};  ///< limits of the axes; jerk may be infinite
   std::array<AxisWay, N> ahead{},
-      behind{};                        ///< ways of the axes from the end onwards, and from the beginning backwards
+      behind{};                        ///< distances of the axes from the end onwards, and from the beginning backwards
   double length = 0;                   ///< mm
   std::array<Row, 2> tangent{}, q2{};  ///< q′, q″ at both ends
   Row least{}, most{};        ///< bounds of |q′_k| over the whole piece; least is 0 where the axis may reverse

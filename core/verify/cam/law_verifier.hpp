@@ -1,7 +1,7 @@
 #pragma once
 /// The independent verifier of a motion law: it sees what the user gave, the law's coefficients as they are published,
-/// and the served table. It shares no evaluation with the solvers: derivatives are formed and enclosed by formulas of
-/// its own, so every check holds between the rows, too.
+/// and the table of setpoints. It shares no evaluation with the solvers: derivatives are formed and enclosed by
+/// formulas of its own, so every check holds between the rows, too.
 #include <cstddef>
 #include <optional>
 #include <vector>

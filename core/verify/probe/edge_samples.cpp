@@ -19,7 +19,8 @@ EdgeSamples<D>::EdgeSamples(const EdgeBoundProblem<D>& problem)
     : problem_(problem), rows_(difference_rows(problem.grid)), fixed_(count()), radius_(count()) {
   const double length = distance(problem.set[sample_at(0)].p, problem.set[sample_at(1)].p);
   for (std::size_t k = 0; k < count(); ++k) {
-    // Where there is next to no room the search takes the point as given, or gives it some: the certificate knows.
+    // Where the set of a sample is nearly a point, the search takes the point as given or widens the set: the
+    // certificate accounts for it.
     const SampleSet<D>& set = problem.set[k];
     fixed_[k] = set.p == set.q && set.radius < 1e-3 * length;
     radius_[k] = std::max(set.radius, 1e-4 * length);

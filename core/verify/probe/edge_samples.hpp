@@ -20,7 +20,7 @@ class EdgeSamples {
   const EdgeBoundProblem<D>& problem() const { return problem_; }
   /// Returns samples along the edge, at which the search starts.
   std::vector<Point> start() const;
-  /// Returns whether sample k is fixed, because its set has next to no room.
+  /// Returns whether sample k is fixed, because its set is nearly a point.
   bool fixed(std::size_t k) const { return fixed_[k]; }
   double radius(std::size_t k) const { return radius_[k]; }  ///< radius of its set in the search, mm
 

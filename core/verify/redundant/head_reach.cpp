@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t most_pieces = 20'000, most_of_segment = 2'000;
 constexpr double turns = 8;  // pieces of a curved segment, at least
 
-/// Returns the least time from a rest to a place at distance `way`.
+/// Returns the least time from a rest to a place at the distance `way`.
 double from_rest(double way, const AxisLimits& axis) {
   const double full = axis.velocity / axis.acceleration, accelerating = 0.5 * axis.velocity * full;
   return way <= accelerating || !(axis.velocity < unlimited) ? std::sqrt(2 * way / axis.acceleration)

@@ -1,5 +1,5 @@
 #pragma once
-/// The way of a fine axis up to which it counts as standing still or as not existing.
+/// The travel of a fine axis up to which it counts as standing still or as not existing.
 
 namespace bahnwerk::verify {
 

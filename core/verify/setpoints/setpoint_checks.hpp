@@ -1,5 +1,5 @@
 #pragma once
-/// Checks the setpoints that are served: every row against the motion that was verified.
+/// Checks the setpoints: every row against the motion that was verified.
 #include <memory>
 #include <vector>
 

@@ -10,9 +10,9 @@
 namespace bahnwerk::winding {
 
 /// Wires with a force on each and contacts that only push. The solution of a non-negative least-squares problem leaves
-/// as little of the forces unbalanced as possible and decides both ways: either nothing is left, or the rest, read as a
-/// velocity of every wire, moves along the forces without closing any contact, so the wires slip. Forces are stored
-/// between calls of solve(): a pile that grows by a wire starts from the previous ones.
+/// as little of the forces unbalanced as possible and decides between two cases: either nothing is left, or the rest,
+/// read as a velocity of every wire, moves along the forces without closing any contact, so the wires slip. Forces are
+/// stored between calls of solve(): a pile that grows by a wire starts from the previous ones.
 class ForceBalance {
  public:
   /// A contact pushes in any direction within atan(friction) of its normal. Moments are not balanced: a

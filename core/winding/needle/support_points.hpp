@@ -63,7 +63,7 @@ struct NeedleModel {
 /// Why no needle lays a wire.
 enum class NoSupport {
   no_distance,   ///< two laying regions have no distance: the wire between them has no direction
-  short_head,    ///< a winding head is shorter than the needle's way into it
+  short_head,    ///< a winding head is shorter than the needle's travel into it
   no_direction,  ///< no direction of the needle brings the wire to its place
   beyond_axis,   ///< in a slot the needle's tip would lie beyond the part's axis
   backwards      ///< the wire would leave the needle backwards along its axis

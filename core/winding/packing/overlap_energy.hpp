@@ -1,5 +1,5 @@
 #pragma once
-/// Elastic repulsion of overlapping wires: E = Σ ½ (d − |pᵢ − pⱼ|)² over pairs nearer than d, and Σ ½ |way in|² over
+/// Elastic repulsion of overlapping wires: E = Σ ½ (d − |pᵢ − pⱼ|)² over pairs nearer than d, and Σ ½ |depth|² over
 /// centres outside their usable area, with one stiffness. The force vanishes at contact, so touching wires are at rest;
 /// the Coulomb force of [Herrmann (4.5)] jumps there and has no rest. E = 0 if and only if the layout is allowed.
 #include <cstdint>

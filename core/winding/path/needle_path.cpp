@@ -144,7 +144,7 @@ class Maker {
     FoundLink link;
     BezierPiece piece;
   };
-  using Both = std::array<std::optional<Found>, 2>;  // none without room
+  using Both = std::array<std::optional<Found>, 2>;  // none: the needle does not fit
   /// The passage of a post at the same place of the turn before.
   struct Passed {
     std::optional<std::size_t> place;  ///< place of PostPassage::beside(); none: the point was on the slot's radius

@@ -376,7 +376,7 @@ class PostgresMoveTarget final : public MoveTarget {
     transacting_ = false;
   }
   void finish() override {
-    // As after a crash, numbers of changes begin anew, above all that clients can have seen.
+    // As after a crash, numbers of changes begin again, above all that clients can have seen.
     connection_.script(
         "BEGIN; DELETE FROM change_feed; DELETE FROM change_numbers; DELETE FROM changes; DROP TABLE unfinished_move; "
         "COMMIT; ANALYZE jobs");

@@ -131,7 +131,7 @@ SqliteConnection::SqliteConnection(const std::string& path, bool writer, int max
       wal.executeStep();
       if (wal.getColumn(0).getString() != "wal")
         throw StoreError("the store's file system does not support SQLite's WAL", false);
-      // A log that grew while another program read is cut when it begins anew.
+      // A log that grew while another program read is cut when it begins again.
       database.exec("PRAGMA journal_size_limit = 8388608");
     }
     database.exec("PRAGMA synchronous = FULL");

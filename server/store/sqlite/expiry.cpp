@@ -132,7 +132,7 @@ Expired SqliteStore::expire(std::int64_t now) {
       free_leftovers(connection, *leftovers);
       expired.next = now;  // there may be more, and the retention looks when there are none
     }
-    // The room that removed jobs took is known when nothing of them is left.
+    // The space that removed jobs took is known when nothing of them is left.
     if (!leftovers)
       for (const std::string& id : too_old(connection, now, max_removed_at_once))
         expired.removed += remove_one(connection, id).outcome == Removed::yes ? 1 : 0;

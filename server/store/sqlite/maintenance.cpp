@@ -70,7 +70,7 @@ BackUp back_up(const std::string& url, const std::string& file) {
     SQLite::Database copy(part.path, SQLite::OPEN_READWRITE, patience);
     copy.exec("PRAGMA synchronous = OFF");  // synchronized below, as a whole
     {
-      // All pages in one step are one transaction: with several the copy would begin anew after each commit.
+      // All pages in one step are one transaction: with several the copy would begin again after each commit.
       SQLite::Backup backup(copy, source);
       while (backup.executeStep(-1) != SQLITE_DONE) ::usleep(10'000);
     }

@@ -25,7 +25,7 @@ bool Reserve::take() {
 
 void Reserve::give_up() {
   if (bytes_ == 0) return;
-  // The file stays: making one again would need room in the directory.
+  // The file stays: making one again would need space in the directory.
   if (::truncate(path_.c_str(), 0) == 0) held_ = false;
 }
 

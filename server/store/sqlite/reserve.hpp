@@ -14,7 +14,7 @@ class Reserve {
   /// Does not allocate. A reserve of 0 bytes always counts as held.
   Reserve(std::string path, std::size_t bytes) : path_(std::move(path)), bytes_(bytes), held_(bytes == 0) {}
 
-  bool take();  ///< allocates the reserve; returns false, without allocating, if there is too little room
+  bool take();  ///< allocates the reserve; returns false, without allocating, if there is too little space
   void give_up();
   bool held() const { return held_; }
   std::size_t bytes() const { return bytes_; }

@@ -203,7 +203,7 @@ Writer::Room Writer::room_for(Bytes bytes) {
   if (bytes == 0) return Room::enough;
   const std::size_t space = reserve_.free_space();
   if (reserve_.held() && space >= 2 * bytes) return Room::enough;
-  // Pages that deleted jobs left are used again: then the file does not grow, and the log alone needs room.
+  // Pages that deleted jobs left are used again: then the file does not grow, and the log alone needs space.
   const bool inside = free_pages() > bytes / page_size + 16;
   if (reserve_.held() && inside && space >= bytes + bytes / 8) return Room::enough;
   return reserve_.held() && inside && bytes < reserve_.bytes() / 2 ? Room::with_reserve : Room::none;

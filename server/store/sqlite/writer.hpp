@@ -47,7 +47,7 @@ class Writer {
   void outside(const Work& work);
 
   /// Returns whether the disk was full at the last write, or the reserve is used up. It becomes false within about a
-  /// second after there is room.
+  /// second after there is space.
   bool full() const { return full_ || !reserve_.held(); }
   /// Increases with every commit, before it is reported: a value read at one count is current as long as the count is
   /// unchanged.
