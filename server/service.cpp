@@ -91,9 +91,9 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   checks_ = std::make_unique<Pool>(check_threads);
   heavy_ = std::make_unique<Pool>(1, options.worker_nice);
   // The owner of a file needs no clock to detect that a worker has ended: it would have ended itself.
-  workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan),
-                                       store_->shared() ? std::optional(worker_lease) : std::nullopt, time_,
-                                       std::move(engine.check));
+  WorkersOptions working{.time = time_, .check = std::move(engine.check)};
+  if (store_->shared()) working.lease = worker_lease;
+  workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan), std::move(working));
   workers_->limit_planning(options.max_planning);
   metrics_.started(time_.now_ms());
   deadlines_ = std::make_unique<Deadlines>(*store_, time_, [this](const Expired& expired) {

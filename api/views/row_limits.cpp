@@ -104,10 +104,15 @@ Permitted RowLimits::permitted(std::size_t declared, const double* row) const {
   return step < term.from.size() ? term.permitted[step] : Permitted{};
 }
 
-/// Offers a limit that is the same in rows [from, to); `last` is the last row whose differences exist.
+/// Offers the limit of term `index`, whose share is the same in all rows of the block.
 template <int differences>
-void RowLimits::apply(const Term& term, const Share& share, std::uint8_t number, const double* values, std::size_t last,
-                      std::size_t from, std::size_t to, RowUse out) const {
+void RowLimits::apply(std::size_t index, const Share& share, const Block& block) const {
+  const Term& term = terms_[index];
+  const auto number = static_cast<std::uint8_t>(row_states + index);
+  const std::size_t last = block.rows - 1 - differences;  // last row whose differences exist
+  const double* const values = block.values;
+  const std::size_t from = block.from, to = block.to;
+  const RowUse out = block.out;
   const auto offer = [&](auto&& use_of) {
     for (std::size_t k = from; k < to; ++k) {
       const double* at = values + std::min(k, last) * width_ + term.column;
@@ -127,36 +132,37 @@ void RowLimits::apply(const Term& term, const Share& share, std::uint8_t number,
     offer([&share](double value) { return share.of(value); });
 }
 
-void RowLimits::apply(const Term& term, std::uint8_t number, const double* values, std::size_t rows, std::size_t from,
-                      std::size_t to, RowUse out) const {
+/// Offers the limit of term `index` in all rows of a block, part by part of the same key.
+void RowLimits::apply(std::size_t index, Block block) const {
+  const Term& term = terms_[index];
   const auto n = static_cast<std::size_t>(term.differences);
-  if (!term.exists || rows <= n) return;
-  while (from < to) {
+  if (!term.exists || block.rows <= n) return;
+  for (const std::size_t to = block.to; block.from < to;) {
     Share share = term.share;
-    std::size_t end = to;
+    block.to = to;
     if (!term.from.empty()) {  // up to the next change of the key
-      const double key = values[from * width_ + term.key];
-      for (end = from + 1; end < to && values[end * width_ + term.key] == key;) ++end;
+      const auto key_of = [&](std::size_t k) { return block.values[k * width_ + term.key]; };
+      const double key = key_of(block.from);
+      for (block.to = block.from + 1; block.to < to && key_of(block.to) == key;) ++block.to;
       const std::size_t step = step_of(term, key);
       share = step < term.from.size() ? term.shares[step] : Share{};
     }
-    if (n == 0) apply<0>(term, share, number, values, rows - 1, from, end, out);
-    if (n == 1) apply<1>(term, share, number, values, rows - 2, from, end, out);
-    if (n == 2) apply<2>(term, share, number, values, rows - 3, from, end, out);
-    out.use += end - from, out.limit += end - from;
-    from = end;
+    if (n == 0) apply<0>(index, share, block);
+    if (n == 1) apply<1>(index, share, block);
+    if (n == 2) apply<2>(index, share, block);
+    block.out.use += block.to - block.from, block.out.limit += block.to - block.from;
+    block.from = block.to;
   }
 }
 
 void RowLimits::compute(const double* values, std::size_t rows, std::size_t from, std::size_t to, RowUse out) const {
-  constexpr std::size_t block = 256;  // rows that stay in the processor's cache while all limits look at them
-  for (std::size_t begin = from; begin < to; begin += block) {
-    const std::size_t end = std::min(to, begin + block);
+  constexpr std::size_t most = 256;  // rows that stay in the processor's cache while all limits look at them
+  for (std::size_t begin = from; begin < to; begin += most) {
+    const std::size_t end = std::min(to, begin + most);
     const RowUse at{out.use + (begin - from), out.limit + (begin - from)};
     std::fill_n(at.use, end - begin, 0.0);
     std::fill_n(at.limit, end - begin, std::uint8_t{ahead});
-    for (std::size_t i = 0; i < terms_.size(); ++i)
-      apply(terms_[i], static_cast<std::uint8_t>(row_states + i), values, rows, begin, end, at);
+    for (std::size_t i = 0; i < terms_.size(); ++i) apply(i, {values, rows, begin, end, at});
     for (std::size_t k = begin; k < end; ++k) {
       if (at.use[k - begin] >= limit_reached) continue;
       std::uint8_t& limit = at.limit[k - begin];

@@ -62,12 +62,17 @@ class RowLimits {
     std::vector<Permitted> permitted;  // one per step; one where there are none
     bool exists = false;
   };
+  /// Rows [from, to) of a series, and where their results are written.
+  struct Block {
+    const double* values;  // of all rows of the series
+    std::size_t rows;      // number of rows of the series
+    std::size_t from, to;
+    RowUse out;  // results of row `from` on
+  };
   static Share share_of(const Permitted& permitted);
-  void apply(const Term& term, std::uint8_t number, const double* values, std::size_t rows, std::size_t from,
-             std::size_t to, RowUse out) const;
+  void apply(std::size_t index, Block block) const;
   template <int differences>
-  void apply(const Term& term, const Share& share, std::uint8_t number, const double* values, std::size_t last,
-             std::size_t from, std::size_t to, RowUse out) const;
+  void apply(std::size_t index, const Share& share, const Block& block) const;
   static std::size_t step_of(const Term& term, double key);
 
   std::vector<Column> columns_;

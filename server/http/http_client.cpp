@@ -136,23 +136,7 @@ Response HttpClient::request(const std::string& method, const std::string& targe
     check(clock.finish(stream, connect_patience, [&](auto done) { stream.async_connect(places, done); }), "connect");
     plain.emplace(stream.release_socket());
   }
-  if (!tls_) return exchange(clock, *plain, *plain, method, target, headers, body, sink);
-  auto context = tls_context(credentials_);
-  asio::ssl::stream<Plain&> secure(*plain, context);
-  asio::ip::make_address(host_, error);
-  if (error) SSL_set_tlsext_host_name(secure.native_handle(), host_.c_str());  // an address has no place there
-  secure.set_verify_callback(asio::ssl::host_name_verification(host_));
-  const auto shaken = clock.finish(*plain, connect_patience,
-                                   [&](auto done) { secure.async_handshake(asio::ssl::stream_base::client, done); });
-  check(shaken, "TLS");
-  return exchange(clock, secure, *plain, method, target, headers, body, sink);
-}
 
-template <class Stream, class Lowest>
-Response HttpClient::exchange(const Clock& clock, Stream& stream, Lowest& plain, const std::string& method,
-                              const std::string& target, const Pairs& headers, const std::string& body,
-                              const std::function<void(std::string_view)>& sink) const {
-  const Check check{url_, true};
   http::request<http::string_body> message(http::string_to_verb(method), prefix_ + target, 11);
   message.set(http::field::host, port_.empty() ? host_ : host_ + ":" + port_);
   message.set(http::field::user_agent, "bahnwerk");
@@ -161,6 +145,25 @@ Response HttpClient::exchange(const Clock& clock, Stream& stream, Lowest& plain,
   for (const auto& [name, value] : headers) message.set(name, value);
   message.body() = body;
   if (method == "POST" || !body.empty()) message.content_length(body.size());
+
+  if (!tls_) return exchange(clock, *plain, message, sink);
+  auto context = tls_context(credentials_);
+  asio::ssl::stream<Plain&> secure(*plain, context);
+  asio::ip::make_address(host_, error);
+  if (error) SSL_set_tlsext_host_name(secure.native_handle(), host_.c_str());  // an address has no place there
+  secure.set_verify_callback(asio::ssl::host_name_verification(host_));
+  const auto shaken = clock.finish(*plain, connect_patience,
+                                   [&](auto done) { secure.async_handshake(asio::ssl::stream_base::client, done); });
+  check(shaken, "TLS");
+  return exchange(clock, secure, message, sink);
+}
+
+/// Sends a message and reads the answer, on a stream that is connected.
+template <class Stream, class Message>
+Response HttpClient::exchange(const Clock& clock, Stream& stream, const Message& message,
+                              const std::function<void(std::string_view)>& sink) const {
+  const Check check{url_, true};
+  auto& plain = beast::get_lowest_layer(stream);
   const auto sent = clock.finish(plain, silence_patience, [&](auto done) { http::async_write(stream, message, done); });
   // A server that refuses a large body may close its side early; its answer is still worth reading.
   if (sent && sent != asio::error::broken_pipe && sent != asio::error::connection_reset) check(sent, "send");

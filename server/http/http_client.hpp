@@ -43,9 +43,8 @@ class HttpClient {
 
  private:
   class Clock;
-  template <class Stream, class Lowest>
-  Response exchange(const Clock& clock, Stream& stream, Lowest& plain, const std::string& method,
-                    const std::string& target, const Pairs& headers, const std::string& body,
+  template <class Stream, class Message>
+  Response exchange(const Clock& clock, Stream& stream, const Message& message,
                     const std::function<void(std::string_view)>& sink) const;
   const Credentials credentials_;
   const RequestLimits limits_;

@@ -22,16 +22,16 @@ constexpr std::chrono::seconds idle_time{1}, longest_rest{5};
 }  // namespace
 
 Workers::Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
-                 std::optional<std::chrono::milliseconds> lease, const TimeSource& time, Checker check)
+                 WorkersOptions options)
     : store_(store),
       live_(live),
       notifier_(notifier),
       metrics_(metrics),
       planner_(std::move(planner)),
-      check_(std::move(check)),
-      name_(Uuid7().next(time.now_ms())),
-      lease_(lease),
-      time_(time) {
+      check_(std::move(options.check)),
+      name_(Uuid7().next(options.time.now_ms())),
+      lease_(options.lease),
+      time_(options.time) {
   heartbeat_.emplace(
       store_, live_, name_, lease_,
       [this](const std::string& id) {

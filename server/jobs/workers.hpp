@@ -27,13 +27,18 @@ using Planner = std::function<api::PlannedJob(const std::string& kind, const std
 /// The check of a document whose check was stopped when it was posted. Throws Problem.
 using Checker = std::function<void(const std::string& document, Progress progress)>;
 
+struct WorkersOptions {
+  /// Duration of an attempt without a heartbeat of this process; nullopt: until the process ends, for a store that no
+  /// other process uses.
+  std::optional<std::chrono::milliseconds> lease = std::nullopt;
+  const TimeSource& time = system_time();  ///< time of leases, deadlines, budgets and progress
+  Checker check = {};                      ///< empty: no check is repeated
+};
+
 class Workers {
  public:
-  /// `lease` is the duration of an attempt without a heartbeat of this process; nullopt: until the process ends, for a
-  /// store that no other process uses. Progress is reported to `notifier` here, states by the store's changes.
-  Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
-          std::optional<std::chrono::milliseconds> lease = std::nullopt, const TimeSource& time = system_time(),
-          Checker check = {});
+  /// Progress is reported to `notifier` here, states by the store's changes.
+  Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner, WorkersOptions options);
   ~Workers();  ///< interrupts and joins
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;

@@ -83,7 +83,8 @@ void begin(Context& context, const RequestPtr& request, const Reply& reply) {
       next = found.next;
       return std::nullopt;
     };
-    return std::make_shared<AnyJobWait>(context, context.pool, request, reply, wait, look)->look();
+    const AnyJobWait::Schedule schedule{context.pool, wait};
+    return std::make_shared<AnyJobWait>(context, request, reply, look, schedule)->look();
   }
   reply(answer(since ? news(context.store, from, limit, sees_only(*request)) : News{{}, from}));
 }

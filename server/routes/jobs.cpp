@@ -71,7 +71,8 @@ void list(Context& context, const RequestPtr& request, const Reply& reply) {
         return page_answer(*request, now);
       };
       const auto again = first.running ? std::optional<std::chrono::milliseconds>(progress_interval) : std::nullopt;
-      std::make_shared<AnyJobWait>(context, context.scans, request, reply, wait, look, again)->look();
+      const AnyJobWait::Schedule schedule{context.scans, wait, again};
+      std::make_shared<AnyJobWait>(context, request, reply, look, schedule)->look();
     } catch (...) {
       reply(answer_from_current_exception(*request));
     }

@@ -8,17 +8,23 @@ class AnyJobWait : public std::enable_shared_from_this<AnyJobWait> {
  public:
   /// Returns the answer if there is something new, or, at the end of the time, in any case (`last`).
   using Look = std::function<std::optional<Response>(bool last)>;
-  /// `again`, if given, is the longest time between two looks: what changes beside states is seen then.
-  AnyJobWait(Context& context, Pool& pool, RequestPtr request, Reply reply, int seconds, Look look,
-             std::optional<std::chrono::milliseconds> again = std::nullopt)
+  /// Where it looks, and when.
+  struct Schedule {
+    Pool& pool;
+    int seconds;  ///< longest wait, s
+    /// Longest time between two looks: what changes beside states is seen then. nullopt: a change of a state alone is
+    /// looked for.
+    std::optional<std::chrono::milliseconds> again = std::nullopt;
+  };
+  AnyJobWait(Context& context, RequestPtr request, Reply reply, Look look, const Schedule& schedule)
       : context_(context),
-        pool_(pool),
+        pool_(schedule.pool),
         request_(std::move(request)),
         reply_(std::move(reply)),
-        wait_(seconds),
+        wait_(schedule.seconds),
         look_(std::move(look)),
-        again_(again),
-        until_(context.time.now() + std::chrono::seconds(seconds)) {}
+        again_(schedule.again),
+        until_(context.time.now() + std::chrono::seconds(wait_)) {}
   void look();  ///< to be called on the pool
 
  private:

@@ -18,15 +18,21 @@ Response current(const Context& context, const Request& request, const api::Job&
 /// One delayed request. It reads the job on the pool, and again whenever the notifier calls.
 struct Waiting : std::enable_shared_from_this<Waiting> {
   using Answer = std::function<Response(const Context&, const Request&, const api::Job&)>;
-  Waiting(Context& all, RequestPtr asked, Reply give, std::string job, int seconds, bool changes, Answer answer)
+  /// What is waited for.
+  struct Wish {
+    std::string job;          ///< id
+    int seconds;              ///< longest wait, s
+    bool any_change = false;  ///< whether a change of the job, not its end alone, is waited for
+  };
+  Waiting(Context& all, RequestPtr asked, Reply give, Wish wish, Answer answer)
       : context(all),
         request(std::move(asked)),
         reply(std::move(give)),
-        id(std::move(job)),
+        id(std::move(wish.job)),
         answer_with(std::move(answer)),
-        any_change(changes),
-        wait(seconds),
-        until(context.time.now() + std::chrono::seconds(seconds)),
+        any_change(wish.any_change),
+        wait(wish.seconds),
+        until(context.time.now() + std::chrono::seconds(wait)),
         progress_from(context.time.now() + progress_interval) {}
 
   /// The connection has to be free: the answer is given as at the end of the time.
@@ -92,7 +98,7 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
   const Reply reply;
   const std::string id;
   const Answer answer_with;
-  const bool any_change;  ///< whether a change of the job, not its end alone, is waited for
+  const bool any_change;
   const int wait;
   const Notifier::Clock::time_point until, progress_from;
   bool listening = false;  ///< whether the connection knows that this one waits
@@ -137,14 +143,14 @@ int preferred_wait(const Request& request) {
 
 void answer_at_end(Context& context, const RequestPtr& request, const Reply& reply, const std::string& id, int seconds,
                    std::function<Response(const Context&, const Request&, const api::Job&)> answer) {
-  std::make_shared<Waiting>(context, request, reply, id, seconds, false, std::move(answer))->look();
+  std::make_shared<Waiting>(context, request, reply, Waiting::Wish{id, seconds}, std::move(answer))->look();
 }
 
 void watch(Context& context, const RequestPtr& request, const Reply& reply) {
   require_json(*request);
   if (const int wait = preferred_wait(*request); wait > 0) {
-    const bool changes = request->header("if-none-match").has_value();
-    auto waiting = std::make_shared<Waiting>(context, request, reply, request->parameter("id"), wait, changes, current);
+    const Waiting::Wish wish{request->parameter("id"), wait, request->header("if-none-match").has_value()};
+    auto waiting = std::make_shared<Waiting>(context, request, reply, wish, current);
     context.pool.post([waiting = std::move(waiting)] { waiting->look(); });
     return;
   }

@@ -14,16 +14,15 @@ constexpr double degrees = 180 / std::numbers::pi;
 }  // namespace
 
 NeedleSetpoints::NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion,
-                                 std::shared_ptr<const KinematicAxisPath> axes, const Machine& machine,
-                                 std::size_t cycles, WireForces wire,
-                                 std::shared_ptr<const Interpolation> interpolation, std::optional<PoseFrame> frame)
-    : MotionSetpoints(motion, in_degrees(machine), cycles),
+                                 std::shared_ptr<const KinematicAxisPath> axes, const Machine& machine, WireForces wire,
+                                 Options options)
+    : MotionSetpoints(motion, in_degrees(machine), options.cycles),
       motion_(motion),
       axes_(std::move(axes)),
-      interpolation_(std::move(interpolation)),
+      interpolation_(std::move(options.interpolation)),
       shown_(shown(machine)),
       wire_(std::move(wire)),
-      frame_(frame) {
+      frame_(options.frame) {
   for (const AxisLimits& axis : in_degrees(machine).axes) add_column({"j" + axis.name, axis.unit + "/s³"});
   for (const Column& column : {Column{"x", "mm"},
                                {"y", "mm"},

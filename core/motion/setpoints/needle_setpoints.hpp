@@ -31,12 +31,15 @@ struct WireForces {
 /// along the path are the law's at the row's time.
 class NeedleSetpoints final : public MotionSetpoints {
  public:
-  /// `motion` drives `axes` and lasts `cycles` whole cycles, as does the interpolation. Without an interpolation places
-  /// are the law's, which are those of the exact interpolator.
+  struct Options {
+    std::size_t cycles = 0;  ///< number of whole cycles that motion and interpolation last
+    /// Null: places are the law's, which are those of the exact interpolator.
+    std::shared_ptr<const Interpolation> interpolation = nullptr;
+    std::optional<PoseFrame> frame = std::nullopt;
+  };
+  /// `motion` drives `axes`, of which `machine` has the limits.
   NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion, std::shared_ptr<const KinematicAxisPath> axes,
-                  const Machine& machine, std::size_t cycles, WireForces wire,
-                  std::shared_ptr<const Interpolation> interpolation = nullptr,
-                  std::optional<PoseFrame> frame = std::nullopt);
+                  const Machine& machine, WireForces wire, Options options);
   std::optional<PoseFrame> pose_frame() const override { return frame_; }
   /// Returns a factor per axis of the machine: 180/π for one of unit rad, else 1.
   static std::vector<double> shown(const Machine& machine);

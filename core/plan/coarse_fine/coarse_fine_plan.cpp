@@ -185,8 +185,8 @@ class CoarseFineProblem final : public MotionProblem {
     plan.path_length = driven_.contour->path.length();
     plan.iterations = result_.iterations;
     plan.pieces = sampled.pieces().size();
-    report_blocks(*driven_.contour, sampled, cycles_factor_, plan);
-    report_joints(*driven_.contour, moving_, sampled, cycles_factor_, planning_.corner_angle, plan,
+    report_blocks(*driven_.contour, {sampled, cycles_factor_}, plan);
+    report_joints(*driven_.contour, moving_, {sampled, cycles_factor_}, planning_.corner_angle, plan,
                   progress_.part(1, 1));
     plan.slow_lines = slow_lines(*plan_.head, head_, driven_.path.feeds, {}, slow_lines_listed, progress_.part(1, 1));
     std::vector<SectionGap> sections;

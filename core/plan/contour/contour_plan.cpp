@@ -83,14 +83,15 @@ ContourPlan plan_contour(Contour input, const ToolMachine& machine, const Contou
   if (!axes.kinematics())
     note_still_axes(*contour, machine, plan);
   else if (contour->dimension < 3)
-    note_still_axes(*path.path, axes.shown(), machine, plan);
+    note_still_axes({*path.path, axes.shown()}, machine, plan);
   plan.path_length = contour->path.length();
   plan.iterations = planned.iterations;
   plan.pieces = planned.pieces;
   plan.duration = planned.duration;
   plan.bound = planned.bound;
-  report_blocks(*contour, sampled, planned.cycles.factor, plan);
-  report_joints(*contour, *path.moving, axes.shown(), sampled, planned.cycles.factor, planning.corner_angle, plan,
+  const SampledLaw sampled_law{sampled, planned.cycles.factor};
+  report_blocks(*contour, sampled_law, plan);
+  report_joints(*contour, {*path.moving, axes.shown()}, sampled_law, planning.corner_angle, plan,
                 progress.part(all, all));
   plan.slow_lines = slow_lines(*planned.motion, prepared.held, path.feeds, planning.along, slow_lines_listed,
                                progress.part(all, all));

@@ -20,13 +20,14 @@ std::string still_note(const AxisLimits& axis, double height) {
 
 }  // namespace
 
-void report_blocks(const Contour& contour, const TimeLaw& sampled, double factor, ContourPlan& plan) {
-  const std::vector<BlockTime> times = block_times(contour, sampled);
+void report_blocks(const Contour& contour, const SampledLaw& sampled, ContourPlan& plan) {
+  const std::vector<BlockTime> times = block_times(contour, sampled.law);
   for (std::size_t b = 0; b < times.size(); ++b) {
     const Block& block = contour.blocks[b];
     BlockReport report{block.mode, times[b].begin, times[b].end, 0};
     if (block.last > block.first) report.length = contour.path[block.last - 1].s1() - contour.path[block.first].s0();
-    (block.mode == Mode::cut ? plan.cut_time : plan.position_time) += (report.end_time - report.start_time) / factor;
+    (block.mode == Mode::cut ? plan.cut_time : plan.position_time) +=
+        (report.end_time - report.start_time) / sampled.factor;
     plan.blocks.push_back(report);
   }
 }
@@ -34,10 +35,10 @@ void report_blocks(const Contour& contour, const TimeLaw& sampled, double factor
 namespace {
 /// `step(joint)` returns the step of q′ of each axis.
 template <class Step>
-void add_joints(const Contour& contour, const Step& step, const TimeLaw& sampled, double factor, double corner_angle,
+void add_joints(const Contour& contour, const Step& step, const SampledLaw& sampled, double corner_angle,
                 ContourPlan& plan, Progress progress) {
   std::size_t i = 0;
-  const auto& pieces = sampled.pieces();
+  const auto& pieces = sampled.law.pieces();
   const std::vector<bool> rest = contour.rest_places();
   ProgressScope stage_progress(progress, "verify");
   for (const Joint& joint : joints(contour.path, &stage_progress)) {
@@ -45,42 +46,43 @@ void add_joints(const Contour& contour, const Step& step, const TimeLaw& sampled
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
     if (rest[joint.next]) continue;
     if (i == pieces.size()) break;
-    SmallJoint report{joint.s, joint.angle, factor * pieces[i].v, step(joint)};
+    SmallJoint report{joint.s, joint.angle, sampled.factor * pieces[i].v, step(joint)};
     for (double& each : report.step) each *= report.velocity;
     plan.joints.push_back(std::move(report));
   }
 }
 }  // namespace
 
-void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& sampled, double factor, double corner_angle,
+void report_joints(const Contour& contour, std::size_t axes, const SampledLaw& sampled, double corner_angle,
                    ContourPlan& plan, Progress progress) {
   const auto step = [&](const Joint& joint) {
     std::vector<double> steps;
     for (std::size_t k = 0; k < axes; ++k) steps.push_back(joint.step[k]);
     return steps;
   };
-  add_joints(contour, step, sampled, factor, corner_angle, plan, progress);
+  add_joints(contour, step, sampled, corner_angle, plan, progress);
 }
 
-void report_joints(const Contour& contour, const AxisPath& axes, const std::vector<double>& shown,
-                   const TimeLaw& sampled, double factor, double corner_angle, ContourPlan& plan, Progress progress) {
-  if (shown.empty()) return report_joints(contour, axes.axes(), sampled, factor, corner_angle, plan, progress);
+void report_joints(const Contour& contour, const ShownAxes& axes, const SampledLaw& sampled, double corner_angle,
+                   ContourPlan& plan, Progress progress) {
+  const AxisPath& path = axes.path;
+  if (axes.factors.empty()) return report_joints(contour, path.axes(), sampled, corner_angle, plan, progress);
   const auto step = [&](const Joint& joint) {
-    const AxisJet before = axes.at_parameter(joint.next - 1, axes[joint.next - 1].curve().end()),
-                  after = axes.at_parameter(joint.next, axes[joint.next].curve().begin());
+    const AxisJet before = path.at_parameter(joint.next - 1, path[joint.next - 1].curve().end()),
+                  after = path.at_parameter(joint.next, path[joint.next].curve().begin());
     std::vector<double> steps;
-    for (std::size_t k = 0; k < axes.axes(); ++k) steps.push_back(shown[k] * (after.d1[k] - before.d1[k]));
+    for (std::size_t k = 0; k < path.axes(); ++k) steps.push_back(axes.factors[k] * (after.d1[k] - before.d1[k]));
     return steps;
   };
-  add_joints(contour, step, sampled, factor, corner_angle, plan, progress);
+  add_joints(contour, step, sampled, corner_angle, plan, progress);
 }
 
-void note_still_axes(const AxisPath& axes, const std::vector<double>& shown, const Machine& machine,
-                     ContourPlan& plan) {
-  const AxisArray rates = largest_rates(axes);
-  for (std::size_t k = 0; k < axes.axes(); ++k) {
+void note_still_axes(const ShownAxes& axes, const Machine& machine, ContourPlan& plan) {
+  const AxisPath& path = axes.path;
+  const AxisArray rates = largest_rates(path);
+  for (std::size_t k = 0; k < path.axes(); ++k) {
     if (rates[k] > 0) continue;
-    const double at = shown[k] * axes.at_parameter(0, axes[0].curve().begin()).value[k];
+    const double at = axes.factors[k] * path.at_parameter(0, path[0].curve().begin()).value[k];
     plan.notes.push_back(still_note(machine.axes[k], at));
   }
 }

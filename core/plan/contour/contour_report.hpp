@@ -12,22 +12,34 @@
 
 namespace bahnwerk {
 
-/// Adds the times of the blocks, in the sampled motion, and the sums per mode, in the planned motion, which is shorter
-/// by `factor`.
-void report_blocks(const Contour& contour, const TimeLaw& sampled, double factor, ContourPlan& plan);
+/// The law that setpoints sample, and how many times as fast the planned motion is. It has to outlive the object.
+struct SampledLaw {
+  const TimeLaw& law;
+  double factor = 1;
+};
 
-/// Adds the tangent jumps that are passed at speed. Speeds are those of the planned motion: `factor` times the sampled
-/// ones.
-void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& sampled, double factor, double corner_angle,
+/// Axes along a path, and the factor per axis from its unit to the one that is shown; empty: 1. Both have to outlive
+/// the object.
+struct ShownAxes {
+  const AxisPath& path;
+  const std::vector<double>& factors;
+};
+
+/// Adds the times of the blocks, in the sampled motion, and the sums per mode, in the planned motion.
+void report_blocks(const Contour& contour, const SampledLaw& sampled, ContourPlan& plan);
+
+/// Adds the tangent jumps of up to `corner_angle` rad, which are passed at speed. Speeds are those of the planned
+/// motion.
+void report_joints(const Contour& contour, std::size_t axes, const SampledLaw& sampled, double corner_angle,
                    ContourPlan& plan, Progress progress);
 
-/// Adds the same for axes along a path that `contour` gave, with steps in their units times `shown` (empty: 1).
-void report_joints(const Contour& contour, const AxisPath& axes, const std::vector<double>& shown,
-                   const TimeLaw& sampled, double factor, double corner_angle, ContourPlan& plan, Progress progress);
+/// Adds the same for axes along a path that `contour` gave, with steps in the units that are shown.
+void report_joints(const Contour& contour, const ShownAxes& axes, const SampledLaw& sampled, double corner_angle,
+                   ContourPlan& plan, Progress progress);
 
-/// Adds a note for every axis that a planar contour does not move, with the place at which it stands, in its unit times
-/// `shown`.
-void note_still_axes(const AxisPath& axes, const std::vector<double>& shown, const Machine& machine, ContourPlan& plan);
+/// Adds a note for every axis that a planar contour does not move, with the place at which it stands, in the unit that
+/// is shown; the factors are not empty.
+void note_still_axes(const ShownAxes& axes, const Machine& machine, ContourPlan& plan);
 
 /// Adds a note for every axis that a planar contour does not move.
 void note_still_axes(const Contour& contour, const Machine& machine, ContourPlan& plan);

@@ -165,9 +165,9 @@ class Chooser {
         stage_progress_.work(4);
       }
       if (s.stops)
-        copy(stopping_result_.law, s.stopping_law, stopping_.path, s.stopping, contour->path, place, law);
+        copy(stopping_result_.law, s.stopping_law, {stopping_.path, s.stopping}, {contour->path, place}, law);
       else
-        copy(planned.law, s.law, rounded_->path, s.rounded, contour->path, place, law);
+        copy(planned.law, s.law, {rounded_->path, s.rounded}, {contour->path, place}, law);
     }
     take_rests(*contour, given_->path.size(), rest);
     std::size_t i = 0;
@@ -193,16 +193,20 @@ class Chooser {
       contour.rests.push_back({contour.path.size(), given_->rests[next].seconds, given_->rests[next].block});
   }
 
-  /// Copies pieces of a law from the path `from`, where they begin with segment `before`, to the segments `after` … of
-  /// `to`.
-  void copy(const TimeLaw& law, const Part& part, const Path& from, std::size_t before, const Path& to,
-            std::size_t after, TimeLaw& out) {
+  /// The segments of a path from `first` on.
+  struct Segments {
+    const Path& path;
+    std::size_t first;
+  };
+  /// Appends to `out` a part of a law along the segments `from`, for as many segments `to`.
+  void copy(const TimeLaw& law, const Part& part, const Segments& from, const Segments& to, TimeLaw& out) {
     for (std::size_t i = part.begin; i < part.end; ++i) {
       LawPiece piece = law.pieces()[i];
-      const Segment &old = from[piece.segment], &now = to[after + piece.segment - before];
+      const std::size_t segment = to.first + piece.segment - from.first;
+      const Segment &old = from.path[piece.segment], &now = to.path[segment];
       const auto moved = [&](double s) { return s >= old.s1() ? now.s1() : now.s0() + (s - old.s0()); };
       piece.s = moved(piece.s), piece.s_end = moved(piece.s_end);
-      piece.segment = after + piece.segment - before;
+      piece.segment = segment;
       out.append(piece);
       stage_progress_.work(1);
     }

@@ -219,11 +219,11 @@ class Planner {
                                         request_.model.pull, request_.tension);
     planning.setpoints = [&](const std::shared_ptr<const PathMotion>& motion, std::size_t cycles) {
       return std::make_unique<NeedleSetpoints>(
-          motion, plan_.machine.axes, planning.machine, cycles,
+          motion, plan_.machine.axes, planning.machine,
           WireForces{
               [wire](std::size_t segment, double u, const LawState& law) { return wire->brake(segment, u, law); },
               [wire, motion](double from, double to) { return wire->tension(*motion, from, to); }},
-          interpolate(motion, cycles), request_.frame);
+          NeedleSetpoints::Options{cycles, interpolate(motion, cycles), request_.frame});
     };
     if (request_.interpolator != Interpolator::exact) planning.lag = most_lag;
     RowCheck* needle = nullptr;

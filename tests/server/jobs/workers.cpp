@@ -76,7 +76,7 @@ struct WorkersTest : StoreTest {
   std::unique_ptr<Workers> workers;
 
   void start(unsigned threads = 2, std::optional<std::chrono::milliseconds> lease = std::nullopt) {
-    workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub, lease, time);
+    workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub, WorkersOptions{lease, time});
     workers->start(threads);
   }
   std::string post(const std::string& what, int priority = 0) {
@@ -164,7 +164,7 @@ TEST_F(WorkersTest, ReturnsTheMemoryOfPlansWhenIdle) {
 }
 
 TEST_F(WorkersTest, LimitsTheTimeOfEveryPlan) {
-  workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub, std::nullopt, time);
+  workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub, WorkersOptions{.time = time});
   workers->limit_planning(600s);
   workers->start(1);
   const auto id = post("loop");

@@ -30,7 +30,7 @@ struct Driven {
 TEST(ContourReport, BlocksLastAsInTheSampledMotionAndSumsAreThoseOfThePlan) {
   const Driven driven(0.1);
   ContourPlan plan;
-  report_blocks(driven.contour, driven.law, 1.25, plan);
+  report_blocks(driven.contour, {driven.law, 1.25}, plan);
   ASSERT_EQ(plan.blocks.size(), 2u);
   EXPECT_EQ(plan.blocks[0].mode, Mode::cut);
   EXPECT_DOUBLE_EQ(plan.blocks[0].end_time, 1.5);
@@ -47,7 +47,7 @@ TEST(ContourReport, TangentJumpsBelowTheCornerAngleAreReportedWithTheirSpeedStep
   const Driven driven(angle);
   Progress silent;
   ContourPlan plan;
-  report_joints(driven.contour, 2, driven.law, 1.5, 0.02, plan, silent);
+  report_joints(driven.contour, 2, {driven.law, 1.5}, 0.02, plan, silent);
   ASSERT_EQ(plan.joints.size(), 1u);
   EXPECT_DOUBLE_EQ(plan.joints[0].s, 3);
   EXPECT_NEAR(plan.joints[0].angle, angle, 1e-12);
@@ -56,10 +56,10 @@ TEST(ContourReport, TangentJumpsBelowTheCornerAngleAreReportedWithTheirSpeedStep
   EXPECT_NEAR(plan.joints[0].step[0], 6 * (std::cos(angle) - 1), 1e-12);
   EXPECT_NEAR(plan.joints[0].step[1], 6 * std::sin(angle), 1e-12);
   ContourPlan corner, rounding;
-  report_joints(driven.contour, 2, driven.law, 1, 0.005, corner, silent);
+  report_joints(driven.contour, 2, {driven.law, 1}, 0.005, corner, silent);
   EXPECT_TRUE(corner.joints.empty()) << "the head stops at corners";
   const Driven straight(1e-10);
-  report_joints(straight.contour, 2, straight.law, 1, 0.02, rounding, silent);
+  report_joints(straight.contour, 2, {straight.law, 1}, 0.02, rounding, silent);
   EXPECT_TRUE(rounding.joints.empty());
 }
 

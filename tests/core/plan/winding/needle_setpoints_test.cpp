@@ -32,9 +32,9 @@ TEST(NeedleSetpoints, SteppedRowsAreTheSameInEverySliceAndOffTheLawByTheirLag) {
     const auto stepped =
         std::make_shared<const Interpolation>(wound.motion, interpolator, 0.002, cycles, stage_progress);
     const NeedleSetpoints rows(
-        wound.motion, wound.machine.axes, wound.limits, cycles,
+        wound.motion, wound.machine.axes, wound.limits,
         WireForces{[](std::size_t, double, const LawState&) { return 25.0; }, [](double, double) { return 26.0; }},
-        stepped);
+        {cycles, stepped});
     EXPECT_EQ(failed(wound.needle_checks_of(rows)), "");
     EXPECT_EQ(failed(wound.setpoint_checks_of(rows)), "setpoints path");
     EXPECT_EQ(failed(wound.setpoint_checks_of(rows, 0.5)), "");

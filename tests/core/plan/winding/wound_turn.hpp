@@ -36,8 +36,9 @@ struct Wound {
     law.slow(cycles.factor);
     motion = std::make_shared<const PathMotion>(machine.axes, std::move(law));
     rows = std::make_unique<NeedleSetpoints>(
-        motion, machine.axes, limits, cycles.count,
-        WireForces{[](std::size_t, double, const LawState&) { return 25.0; }, [](double, double) { return 26.0; }});
+        motion, machine.axes, limits,
+        WireForces{[](std::size_t, double, const LawState&) { return 25.0; }, [](double, double) { return 26.0; }},
+        NeedleSetpoints::Options{cycles.count});
   }
   std::vector<Check> needle_checks_of(const SetpointSource& source) const {
     Progress progress;
