@@ -1,9 +1,7 @@
 #include "core/redundant/coarse/straight_move.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "core/motion/profile/profile.hpp"
 
@@ -13,49 +11,8 @@ namespace {
 constexpr double coarse_share =
     1 - 1e-5;  // used share of the coarse axes' limits; the rest exceeds the reduction of their boxes
 constexpr int halvings = 60;
-constexpr double rounding = 1e-12;   // relative rounding of a length
+constexpr double rounding = 1e-12;   // relative rounding of a feed
 constexpr double least_feed = 1e-3;  // least feed, relative to the peak speed without a cruise
-
-/// A part of constant acceleration: from v0 to v1, mm/s, over a length, mm.
-struct Phase {
-  double v0 = 0, v1 = 0, length = 0;
-  double duration() const { return 2 * length / (v0 + v1); }
-  double acceleration() const { return (v1 - v0) / duration(); }
-};
-
-/// At most four parts: rise, slope, cruise at the largest speed, fall.
-struct Phases {
-  std::array<Phase, 4> list{};
-  std::size_t size = 0;
-  void add(double v0, double v1, double length) {
-    if (length > 0) list[size++] = {v0, v1, length};
-  }
-};
-
-/// With constant acceleration v²/2 is linear in path length.
-Phases phases_of(const StraightMove& move, Pace pace) {
-  const bool mirrored = pace.slope < 0;
-  if (mirrored) std::swap(pace.rise, pace.fall);
-  const double slope = std::min(std::abs(pace.slope), pace.rise), top = move.fastest.feed;
-  const double peak = std::sqrt(2 * move.length / (1 / pace.rise + 1 / pace.fall));
-  const double v1 = std::min({pace.feed, peak, top});
-  double v2 = v1;
-  if (slope > 0)
-    v2 = std::clamp(std::sqrt((2 * move.length - v1 * v1 * (1 / pace.rise - 1 / slope)) / (1 / slope + 1 / pace.fall)),
-                    v1, top);
-  const double rise = v1 * v1 / (2 * pace.rise), fall = v2 * v2 / (2 * pace.fall),
-               on = slope > 0 ? (v2 * v2 - v1 * v1) / (2 * slope) : 0;
-  Phases phases;
-  phases.add(0, v1, rise);
-  phases.add(v1, v2, on);
-  const double cruise = move.length - rise - on - fall;
-  phases.add(v2, v2, cruise > rounding * move.length ? cruise : 0);
-  phases.add(v2, 0, fall);
-  if (!mirrored) return phases;
-  std::reverse(phases.list.begin(), phases.list.begin() + static_cast<std::ptrdiff_t>(phases.size));
-  for (Phase& phase : phases.list) std::swap(phase.v0, phase.v1);
-  return phases;
-}
 
 }  // namespace
 
@@ -64,13 +21,9 @@ std::optional<StraightMove> straight_move(const AxisPath& path, const CoarseFine
   if (last != first + 1 || !path.linear(first)) return std::nullopt;
   const Segment& segment = path[first];
   const AxisJet jet = path.at(first, segment.s0());
-  StraightMove move{segment.s0(),
-                    segment.s1() - segment.s0(),
-                    first,
-                    {feed, unlimited, unlimited},
-                    {feed, unlimited, unlimited},
-                    unlimited,
-                    unlimited};
+  StraightMove move{
+      segment.s0(), segment.s1() - segment.s0(), first, {feed, unlimited, unlimited}, {feed, unlimited, unlimited},
+      unlimited};
   const auto slower = [](double& value, double limit, double rate) { value = std::min(value, limit / rate); };
   double jerk = unlimited;
   for (std::size_t k = 0; k < machine.axes.size(); ++k) {
@@ -79,7 +32,6 @@ std::optional<StraightMove> straight_move(const AxisPath& path, const CoarseFine
     const Limits& coarse = machine.axes[k].coarse;
     slower(move.fastest.feed, head.axes[k].velocity, rate);
     slower(move.fastest.rise, head.axes[k].acceleration, rate);
-    slower(move.reserve, head.axes[k].acceleration - 2 * coarse.acceleration, rate);
     slower(jerk, head.axes[k].jerk, rate);
     slower(move.slowest.feed, coarse_share * coarse.velocity, rate);
     slower(move.slowest.rise, coarse_share * coarse.acceleration, rate);
@@ -96,10 +48,9 @@ std::optional<StraightMove> straight_move(const AxisPath& path, const CoarseFine
 }
 
 double duration_of(const StraightMove& move, const Pace& pace) {
-  const Phases phases = phases_of(move, pace);
-  double sum = 0;
-  for (std::size_t i = 0; i < phases.size; ++i) sum += phases.list[i].duration();
-  return sum;
+  const double per_square = 0.5 / pace.rise + 0.5 / pace.fall;  // length of rise and fall over speed²
+  const double v = std::min({pace.feed, move.fastest.feed, std::sqrt(move.length / per_square)});
+  return 2 * per_square * v + std::max(move.length - per_square * v * v, 0.0) / v;
 }
 
 Pace lasting(const StraightMove& move, Pace pace, double duration) {
@@ -116,17 +67,6 @@ Pace lasting(const StraightMove& move, Pace pace, double duration) {
 }
 
 void append_move(TimeLaw& law, const StraightMove& move, const Pace& pace) {
-  if (pace.slope != 0 && !(move.jerk_per_acceleration < unlimited)) {
-    const Phases phases = phases_of(move, pace);
-    double s = 0;
-    for (std::size_t i = 0; i < phases.size; ++i) {
-      const Phase& p = phases.list[i];
-      const double end = i + 1 < phases.size ? s + p.length : move.length;
-      law.append({0, p.duration(), move.begin + s, move.begin + end, p.v0, p.acceleration(), 0, move.segment});
-      s = end;
-    }
-    return;
-  }
   const auto limits = [&](double speed, double acceleration) {
     const double jerk = move.jerk_per_acceleration < unlimited ? acceleration * move.jerk_per_acceleration : unlimited;
     return ProfileLimits{speed, acceleration, jerk, unlimited};

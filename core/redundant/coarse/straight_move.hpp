@@ -6,11 +6,6 @@
 /// by different amounts at both ends. If the coarse axes of a single move of length L stand S ahead of the tool at its
 /// begin and S behind it at its end, they travel L − 2S. A head with L/(L − 2S) times their velocity and acceleration
 /// then takes as long as they do, which is the least time.
-///
-/// If the coarse axes have to be slow after a move, they brake before the head does. From then on the fine axes drive
-/// the head with the acceleration that the coarse axes' braking leaves them. Between rise and fall of the speed there
-/// may thus be a third part with a small constant acceleration, the `slope`; it is negative where the coarse axes had
-/// to be slow before the move.
 #include <cstddef>
 #include <optional>
 
@@ -22,10 +17,8 @@ namespace bahnwerk {
 
 /// Limits of the head on a straight move.
 struct Pace {
-  double feed =
-      0;  ///< mm/s, largest speed; with a slope the speed at the begin of that part, for a negative slope at its end
+  double feed = 0;            ///< mm/s, largest speed
   double rise = 0, fall = 0;  ///< mm/s², largest acceleration and largest deceleration
-  double slope = 0;           ///< mm/s², acceleration between rise and fall; 0 if jerk is limited
 };
 
 struct StraightMove {
@@ -33,7 +26,6 @@ struct StraightMove {
   std::size_t segment = 0;
   Pace fastest, slowest;             ///< limits of both stages, and of the coarse axes alone, for a single move
   double jerk_per_acceleration = 0;  ///< 1/s, ratio of jerk and acceleration limit; infinite if jerk is not limited
-  double reserve = 0;  ///< mm/s², acceleration that the head can have while all coarse axes brake; ≤ 0: none
 };
 
 /// Returns the segments [first, last) as a straight move if they form one line. `head` are the limits that the head is

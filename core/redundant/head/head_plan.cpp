@@ -147,11 +147,10 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::smoother_head(double share, c
     if (!straight.slowed && !slows) continue;
     Pace& pace = at->second.pace;
     pace = {std::min(pace.feed, straight.pace.feed), std::min(pace.rise, straight.pace.rise),
-            std::min(pace.fall, straight.pace.fall), reserve.acceleration_share < 1 ? 0 : straight.pace.slope};
+            std::min(pace.fall, straight.pace.fall)};
     if (slows) {  // from the speed that it really reaches
       const double peak = std::sqrt(2 * straight.move.length / (1 / pace.rise + 1 / pace.fall));
-      pace = {std::min(pace.feed, peak) * slower, pace.rise * slower * slower, pace.fall * slower * slower,
-              pace.slope * slower * slower};
+      pace = {std::min(pace.feed, peak) * slower, pace.rise * slower * slower, pace.fall * slower * slower};
     }
     at->second.slowed = true;
   }

@@ -28,10 +28,6 @@ constexpr std::size_t reach = 4;  // most sections between the two of an exchang
 // Relative changes of a move's duration, and of its acceleration or braking, in an exchange.
 constexpr std::array<double, 9> shifts{1.01, 1.04, 1.12, 1.3, 1 / 1.01, 1 / 1.04, 1 / 1.1, 1 / 1.2, 1 / 1.5};
 constexpr std::array<double, 3> ends{0.9, 0.7, 0.4};
-// Slopes relative to the move's reserve, to both sides, tried with the two highest levels of acceleration and of
-// braking.
-constexpr std::array<double, 2> slopes{1, 0.4};
-constexpr int sloped_levels = 2;
 
 }  // namespace
 
@@ -161,7 +157,7 @@ bool SectionTimingSearch::slowed(std::size_t section) {
   return plan_.section_limits().acceleration_share.count(sections_[section].first) > 0;
 }
 
-bool SectionTimingSearch::quickest_move(std::size_t section, double limit, bool sloped) {
+bool SectionTimingSearch::quickest_move(std::size_t section, double limit) {
   SectionLimits::Straight& move = *straight(section);
   const StraightMove& m = move.move;
   const Speeds before = speeds(section);
@@ -169,8 +165,8 @@ bool SectionTimingSearch::quickest_move(std::size_t section, double limit, bool 
   Speeds best = before;
   Timed best_timed;
   bool found = false;
-  const auto tried = [&](double rise, double fall, double slope, double duration) {
-    move.pace = lasting(m, {0, rise, fall, slope}, duration - wait);
+  const auto tried = [&](double rise, double fall, double duration) {
+    move.pace = lasting(m, {0, rise, fall}, duration - wait);
     move.slowed = true;
     Timed now = timed(sections_[section].first, sections_[section].last);
     if (!(now.duration < limit) || !possible(section, now)) return false;
@@ -179,40 +175,34 @@ bool SectionTimingSearch::quickest_move(std::size_t section, double limit, bool 
     best_timed = std::move(now);
     return found = true;
   };
-  const auto searched = [&](double rise, double fall, double slope) {
+  const auto searched = [&](double rise, double fall) {
     rise = std::min(rise, m.fastest.rise), fall = std::min(fall, m.fastest.fall);
-    double least = wait + duration_of(m, {m.fastest.feed, rise, fall, slope});
+    double least = wait + duration_of(m, {m.fastest.feed, rise, fall});
     if (!(least < limit * (1 - worth))) return;
-    if (!tried(rise, fall, slope, limit * (1 - worth))) return;
+    if (!tried(rise, fall, limit * (1 - worth))) return;
     while (limit - least > closed * limit) {
       const double middle = 0.5 * (least + limit);
-      if (!tried(rise, fall, slope, middle)) least = middle;
+      if (!tried(rise, fall, middle)) least = middle;
     }
   };
-  if (before.slowed && tried(m.fastest.rise, m.fastest.fall, 0, 0)) {
+  if (before.slowed && tried(m.fastest.rise, m.fastest.fall, 0)) {
     sections_[section] = std::move(best_timed);
     return true;
   }
-  if (before.slowed) searched(before.pace.rise, before.pace.fall, before.pace.slope);
+  if (before.slowed) searched(before.pace.rise, before.pace.fall);
   const double rises = m.fastest.rise / m.slowest.rise, falls = m.fastest.fall / m.slowest.fall;
-  const auto graded = [&](int i, int j, double slope) {
+  const auto graded = [&](int i, int j) {
     searched(m.fastest.rise * std::pow(rises, -i / (levels - 1.0)),
-             m.fastest.fall * std::pow(falls, -j / (levels - 1.0)), slope);
+             m.fastest.fall * std::pow(falls, -j / (levels - 1.0)));
   };
   for (int i = 0; i < levels; ++i)
-    for (int j = 0; j < levels; ++j) graded(i, j, 0);
-  for (const double part : slopes)
-    for (const double slope : {part * m.reserve, -part * m.reserve})
-      for (int i = 0; sloped && m.reserve > 0 && i < sloped_levels; ++i)
-        for (int j = 0; i + j < sloped_levels; ++j) graded(i, j, slope);
+    for (int j = 0; j < levels; ++j) graded(i, j);
   for (double q = std::sqrt(std::pow(std::max(rises, falls), 1 / (levels - 1.0))); found && q > finest;
        q = std::sqrt(q)) {
     const Pace centre = best.pace;
     for (const double r : {1.0, q, 1 / q})
       for (const double f : {1.0, q, 1 / q})
-        if (r != 1 || f != 1) searched(centre.rise * r, centre.fall * f, centre.slope);
-    if (centre.slope != 0)
-      for (const double r : {q, 1 / q}) searched(centre.rise, centre.fall, centre.slope * r);
+        if (r != 1 || f != 1) searched(centre.rise * r, centre.fall * f);
   }
   restore(section, best);
   if (found) sections_[section] = std::move(best_timed);
@@ -292,7 +282,7 @@ bool SectionTimingSearch::sweep() {
   bool found = false;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     if (slowed(i)) {
-      const bool quicker = straight(i) ? quickest_move(i, sections_[i].duration, true) : quicker_cut(i);
+      const bool quicker = straight(i) ? quickest_move(i, sections_[i].duration) : quicker_cut(i);
       found = found || quicker;
     }
     for (std::size_t k = 0; k < split_.size(); ++k) {
@@ -322,7 +312,7 @@ bool SectionTimingSearch::exchange(std::size_t section, const Speeds& before, st
   std::vector<std::vector<ControllableSet>> kept(states.begin() + static_cast<std::ptrdiff_t>(low),
                                                  states.begin() + static_cast<std::ptrdiff_t>(high));
   section < move ? carry_forward(section, move) : carry_backward(move + 1, section + 1);
-  if (quickest_move(move, limit * (1 - worth), false)) {
+  if (quickest_move(move, limit * (1 - worth))) {
     carry_forward(std::min(section, move), sections_.size());
     carry_backward(0, std::max(section, move) + 1);
     return true;
@@ -360,7 +350,7 @@ bool SectionTimingSearch::exchange_moves(std::size_t section, std::size_t move, 
   const Speeds before = speeds(section);
   const auto changed = [&](const Pace& pace) {
     own.pace = {std::min(pace.feed, m.fastest.feed), std::min(pace.rise, m.fastest.rise),
-                std::min(pace.fall, m.fastest.fall), pace.slope};
+                std::min(pace.fall, m.fastest.fall)};
     own.slowed = true;
     return exchange(section, before, move);
   };
@@ -374,7 +364,7 @@ bool SectionTimingSearch::exchange_moves(std::size_t section, std::size_t move, 
   if (!other_slowed) return false;
   for (const double by : ends)
     for (const bool rise : {true, false})
-      if (changed({now.feed, rise ? now.rise * by : now.rise, rise ? now.fall : now.fall * by, now.slope})) return true;
+      if (changed({now.feed, rise ? now.rise * by : now.rise, rise ? now.fall : now.fall * by})) return true;
   return false;
 }
 

@@ -5,7 +5,7 @@
 /// The states that the coarse axes can reach before a section, and those from which they can complete the motion behind
 /// it, are convex sets (controllable_set.hpp) that do not depend on the section's own limits. Feasibility of new limits
 /// is therefore decided by the cells of that section alone. For a straight move the search varies acceleration,
-/// braking, feed and the slope between them (straight_move.hpp); for other sections one feed for the whole section, the
+/// braking and feed (straight_move.hpp); for other sections one feed for the whole section, the
 /// accelerations, and the feeds of its segments. Afterwards pairs are exchanged: one section is made quicker (another
 /// one as fast as possible, a straight move by small changes of its limits at one or both ends), and a straight move
 /// nearby becomes slower to keep the motion feasible. A change is kept if the total duration falls.
@@ -60,8 +60,8 @@ class SectionTimingSearch {
   bool slowed(std::size_t section);
 
   /// Searches the limits of a straight move with the least duration below `limit`, s, and stores them in the plan if
-  /// there are any. `sloped` also varies the slope.
-  bool quickest_move(std::size_t section, double limit, bool sloped);
+  /// there are any.
+  bool quickest_move(std::size_t section, double limit);
   /// Searches the feeds of the segments and the common share of accelerations of a section that is no straight move.
   bool quicker_cut(std::size_t section);
   bool sweep();

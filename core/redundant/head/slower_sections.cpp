@@ -82,7 +82,6 @@ struct Section {
     if (p.feed < peak) now.feed = std::min(now.feed, p.feed);
     now.rise = std::min(now.rise, p.rise);
     now.fall = std::min(now.fall, p.fall);
-    now.slope = 0;
     straight->slowed = true;
   }
 };
