@@ -6,13 +6,12 @@
 namespace bahnwerk::api {
 
 void take_limits(const nlohmann::json& object, Limits& limits, double unit) {
-  static constexpr std::array names{"velocity", "acceleration", "jerk", "snap"};
   const auto given = [&](const char* name) {
     const auto at = object.find(name);
     return at == object.end() || at->is_null() ? nullptr : &*at;
   };
   for (int order = 1; order <= Limits::highest_order; ++order)
-    if (const auto* value = given(names[static_cast<std::size_t>(order - 1)]))
+    if (const auto* value = given(derivative_names[static_cast<std::size_t>(order)]))
       limits.of(order) = unit * value->get<double>();
   if (const auto* range = given("range"))
     limits.lowest = unit * range->at(0).get<double>(), limits.highest = unit * range->at(1).get<double>();

@@ -8,7 +8,6 @@
 namespace bahnwerk::api {
 namespace {
 
-constexpr std::array<std::string_view, 5> derivatives{"position", "velocity", "acceleration", "jerk", "snap"};
 constexpr std::array<std::string_view, 5> per_time{"", "/s", "/s²", "/s³", "/s⁴"};
 
 Permitted within(double limit) { return {-limit, limit}; }
@@ -21,8 +20,8 @@ void declare_axes(DeclaredLimits& list, const Machine& machine) {
     for (const AxisLimits& axis : machine.axes) {
       const double limit = axis.of(order);
       if (!std::isfinite(limit) || !(limit > 0)) continue;
-      list.push_back({std::string(derivatives[r]) + " " + axis.name, axis.unit + std::string(per_time[r]), axis.name,
-                      order, within(limit)});
+      list.push_back({std::string(derivative_names[r]) + " " + axis.name, axis.unit + std::string(per_time[r]),
+                      axis.name, order, within(limit)});
     }
   }
 }
@@ -32,7 +31,7 @@ void declare_path(DeclaredLimits& list, const Limits& along) {
     const double limit = along.of(order);
     if (!std::isfinite(limit) || !(limit > 0)) continue;
     const auto r = static_cast<std::size_t>(order);
-    const std::string name = order == 1 ? "feed" : "path " + std::string(derivatives[r]);
+    const std::string name = order == 1 ? "feed" : "path " + std::string(derivative_names[r]);
     list.push_back({name, "mm" + std::string(per_time[r]), "", order, within(limit)});
   }
 }

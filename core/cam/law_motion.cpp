@@ -16,7 +16,7 @@ class LawMotion final : public Motion {
   std::size_t pieces() const override { return law_.pieces(); }
   double begin(std::size_t piece) const override { return law_.breaks()[piece]; }
   double duration() const override { return law_.duration(); }
-  bool has_snap() const override { return true; }
+  int highest_order() const override { return 4; }
   MotionState in_piece(std::size_t piece, double t) const override {
     const double x = (t - law_.breaks()[piece]) / law_.piece_duration(piece);
     MotionState state;

@@ -1,5 +1,6 @@
 #pragma once
 /// The limits of one axis, or of the tool along its path: one bound per derivative.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -7,6 +8,8 @@
 namespace bahnwerk {
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+/// The derivatives of a position by their order.
+inline constexpr std::array derivative_names{"position", "velocity", "acceleration", "jerk", "snap"};
 
 /// Largest magnitudes, in the axis' unit (mm for a linear axis, rad for a rotary one) and s; infinite: not limited.
 struct Limits {
@@ -20,6 +23,15 @@ struct Limits {
   /// Returns the bound of derivative 1 (velocity) to 4 (snap).
   double of(int order) const { return this->*derivatives()[static_cast<std::size_t>(order - 1)]; }
   double& of(int order) { return this->*derivatives()[static_cast<std::size_t>(order - 1)]; }
+  /// Lowers the bounds of derivatives to those of a motion along which an axis with these limits moves by `rate` > 0 of
+  /// its units per mm.
+  void lower_to(const Limits& axis, double rate = 1) {
+    for (int order = 1; order <= highest_order; ++order) of(order) = std::min(of(order), axis.of(order) / rate);
+  }
+  /// Multiplies the bounds of derivatives.
+  void scale(double factor) {
+    for (int order = 1; order <= highest_order; ++order) of(order) *= factor;
+  }
   bool has_range() const { return lowest > -unlimited || highest < unlimited; }
 
  private:

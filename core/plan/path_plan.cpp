@@ -76,7 +76,7 @@ class PathProblem final : public MotionProblem {
   Verification verify() override {
     VerifierInput input{*planning_.path, planning_.machine, law_, planning_.feeds_to_verify, planning_.rests};
     input.corner_angle = planning_.options.corner_angle;
-    input.check_jerk = method_.limits_jerk;
+    input.order = method_.order;
     input.along = limits_along();
     return verify_motion(input, progress_.part(planned, verified));
   }
@@ -121,7 +121,7 @@ class PathProblem final : public MotionProblem {
   /// Limits along the path that the method keeps.
   Limits limits_along() const {
     Limits along = method_.limits_along ? planning_.options.along : Limits{};
-    if (!method_.limits_jerk) along.jerk = unlimited;
+    if (method_.order == 2) along.jerk = unlimited;
     return along;
   }
 

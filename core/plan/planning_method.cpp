@@ -90,14 +90,14 @@ MethodResult spline(const PathTask& task, const MethodOptions& given, int refine
 }
 
 constexpr MethodRow rows[] = {
-    // method, planner, limits_jerk, limits_along, takes_profile, refinement, holds_at_nodes
-    {PlanningMethod::braking_reserve, braking_reserve, false, false, false, Refinement::to_steady, false},
-    {PlanningMethod::time_optimal, time_optimal, false, false, false, Refinement::to_bound, false},
-    {PlanningMethod::jerk_limited, jerk_limited, true, true, false, Refinement::none, false},
-    {PlanningMethod::natural, natural, true, true, false, Refinement::none, false},
-    {PlanningMethod::constant, constant, true, true, true, Refinement::none, false},
-    {PlanningMethod::critical_points, critical_points, true, true, true, Refinement::none, true},
-    {PlanningMethod::spline, spline, true, true, false, Refinement::none, false},
+    // method, planner, order, limits_along, takes_profile, refinement, holds_at_nodes
+    {PlanningMethod::braking_reserve, braking_reserve, 2, false, false, Refinement::to_steady, false},
+    {PlanningMethod::time_optimal, time_optimal, 2, false, false, Refinement::to_bound, false},
+    {PlanningMethod::jerk_limited, jerk_limited, 3, true, false, Refinement::none, false},
+    {PlanningMethod::natural, natural, 3, true, false, Refinement::none, false},
+    {PlanningMethod::constant, constant, 3, true, true, Refinement::none, false},
+    {PlanningMethod::critical_points, critical_points, 3, true, true, Refinement::none, true},
+    {PlanningMethod::spline, spline, 3, true, false, Refinement::none, false},
 };
 
 }  // namespace
@@ -105,15 +105,15 @@ constexpr MethodRow rows[] = {
 MethodRow method_row(PlanningMethod method, const MethodOptions& options) {
   for (MethodRow row : rows) {
     if (row.method != method) continue;
-    if (row.takes_profile) row.limits_jerk = speed_profile_row(options.profile).limits_jerk;
+    if (row.takes_profile) row.order = speed_profile_row(options.profile).order;
     return row;
   }
   throw std::logic_error("a planning method without a row");
 }
 
 Machine held_limits(Machine machine, const MethodRow& method) {
-  if (!method.limits_jerk)
-    for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
+  for (AxisLimits& axis : machine.axes)
+    for (int order = method.order + 1; order <= Limits::highest_order; ++order) axis.of(order) = unlimited;
   return machine;
 }
 

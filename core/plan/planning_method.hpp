@@ -30,11 +30,12 @@ struct MethodRow {
   /// Returns the time law of the whole path without dwells. Each `refinement` 0, 1 … halves the cell width and reduces
   /// the excess over the optimum to about a tenth. Throws as the planner does.
   MethodResult (*plan)(const PathTask& task, const MethodOptions& options, int refinement, Progress progress);
-  /// Whether jerk limits of the axes and along the path hold; the acceleration is then continuous.
-  bool limits_jerk;
+  /// Highest derivative whose limits hold, of the axes and along the path: 2 (acceleration) or 3 (jerk). The next lower
+  /// one is continuous.
+  int order;
   /// Whether limits along the path hold.
   bool limits_along;
-  /// Whether the option `profile` decides if jerk is limited.
+  /// Whether the option `profile` decides on the order.
   bool takes_profile;
   Refinement refinement;
   /// Whether changes of speed keep the limits at the nodes of a grid only; an excess between nodes, on the finest grid,
@@ -42,11 +43,11 @@ struct MethodRow {
   bool holds_at_nodes;
 };
 
-/// Returns a method's row with these options: a profile whose acceleration jumps limits no jerk. Throws
+/// Returns a method's row with these options: a profile whose acceleration jumps has the order 2. Throws
 /// std::logic_error for a method without a row.
 MethodRow method_row(PlanningMethod method, const MethodOptions& options = {});
 
-/// Returns the limits that a method keeps: jerk is unlimited if the method does not limit it.
+/// Returns the limits that a method keeps: what is above its order is unlimited.
 Machine held_limits(Machine machine, const MethodRow& method);
 
 }  // namespace bahnwerk

@@ -16,7 +16,7 @@ class RestingMotion final : public Motion {
   double begin(std::size_t piece) const override { return motion_->begin(piece); }
   double duration() const override { return motion_->duration(); }
   MotionState in_piece(std::size_t piece, double t) const override { return motion_->in_piece(piece, t); }
-  bool has_snap() const override { return true; }
+  int highest_order() const override { return 4; }
   bool polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const override {
     return motion_->polynomial(piece, axis, out);
   }

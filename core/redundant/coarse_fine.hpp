@@ -29,10 +29,11 @@ inline CoarseFineAxis coarse_alone(CoarseFineAxis axis) {
 struct CoarseFineMachine {
   std::vector<CoarseFineAxis> axes;  ///< axis k is coordinate k
   double cycle_time = 0.001;         ///< s
-  bool limits_jerk() const {
+  /// Returns the highest derivative that is limited: 2 (acceleration) or 3 (jerk).
+  int limited_order() const {
     for (const CoarseFineAxis& axis : axes)
-      if (axis.coarse.jerk < unlimited) return true;
-    return false;
+      if (axis.coarse.jerk < unlimited) return 3;
+    return 2;
   }
 };
 
@@ -42,8 +43,8 @@ inline Machine summed(const CoarseFineMachine& machine) {
   Machine sum;
   sum.cycle_time = machine.cycle_time;
   for (const CoarseFineAxis& axis : machine.axes) {
-    AxisLimits limits(axis.name, axis.coarse.velocity + axis.fine.velocity,
-                      axis.coarse.acceleration + axis.fine.acceleration, axis.coarse.jerk + axis.fine.jerk);
+    AxisLimits limits(axis.name, axis.coarse);
+    for (int order = 1; order <= Limits::highest_order; ++order) limits.of(order) += axis.fine.of(order);
     limits.lowest = axis.coarse.lowest - axis.stroke;
     limits.highest = axis.coarse.highest + axis.stroke;
     sum.axes.push_back(std::move(limits));

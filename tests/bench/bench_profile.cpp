@@ -11,7 +11,7 @@ namespace {
 
 struct Move {
   double length, v0, v1;
-  ProfileLimits limits;
+  Limits limits;
 };
 
 enum Kind { trapezoid, double_s, snap_limited };

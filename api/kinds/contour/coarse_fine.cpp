@@ -179,9 +179,9 @@ void check_redundancy(const json& spec, const CoarseFineMachine& machine, const 
   const auto fault = [&](std::vector<std::string> place, std::string message) {
     faults.push_back({std::move(place), std::move(message)});
   };
-  if (machine.limits_jerk() && !redundancy_row(method).limits_jerk)
+  if (machine.limited_order() > redundancy_row(method).order)
     fault({"machine", "redundancy", "method"}, "does not limit the jerk; the methods joint and iterative do");
-  if (machine.limits_jerk() && document.value("reparametrise", false))
+  if (machine.limited_order() == 3 && document.value("reparametrise", false))
     fault({"machine", "redundancy", "reparametrise"}, "does not limit the jerk, as the machine demands");
   if (document.value("taps", RedundancyOptions{}.taps) % 2 == 0)
     fault({"machine", "redundancy", "taps"}, "must be odd: the filter's delay is whole cycles");
@@ -198,7 +198,7 @@ void check_redundancy(const json& spec, const CoarseFineMachine& machine, const 
     fault({"machine", "redundancy", "knot_multiplicity"}, "must not be greater than the degree");
   if (given(document, "window") && document["window"].value("overlap", 3) >= document["window"].value("blocks", 10))
     fault({"machine", "redundancy", "window", "overlap"}, "must be less than the window's blocks");
-  if (planning.method == PlanningMethod::jerk_limited && !machine.limits_jerk())
+  if (planning.method == PlanningMethod::jerk_limited && machine.limited_order() == 2)
     fault({"machine", "coarse", "x", "jerk"}, "is required by method jerk_limited, of all coarse and fine axes");
   if (std::min({planning.along.velocity, planning.along.acceleration, planning.along.jerk}) < unlimited)
     fault({"planning", "path"}, "is not held with coarse and fine axes; blocks limit the speed by their feed");

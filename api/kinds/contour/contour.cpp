@@ -73,7 +73,8 @@ ContourJob read_contour_job(const json& spec) {
     check_redundancy(spec, *job.coarse_fine, job.planning, faults);
     check_corners(job.planning, faults);
     throw_if_any(std::move(faults));
-    job.planning.method = job.coarse_fine->limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
+    job.planning.method =
+        job.coarse_fine->limited_order() == 3 ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
     return job;
   }
   job.head = machine(spec);
@@ -137,7 +138,7 @@ struct Planned {
 
 ContourPlan plan_cartesian(ContourJob& job, Progress progress) {
   ContourPlan plan = plan_contour(std::move(job.contour), job.head, job.planning, progress);
-  if (!method_row(job.planning.method).limits_jerk)
+  if (method_row(job.planning.method).order == 2)
     for (const auto& axis : job.head.axes)
       if (axis.jerk < unlimited) {
         plan.notes.push_back("jerk limits are given but not held: only method jerk_limited holds them");

@@ -113,7 +113,7 @@ ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
     list.push_back("at " + std::to_string(bent) + " of " + std::to_string(all) +
                    " support points the wire leaves the needle at more than 90 deg, at most at " +
                    number_text(std::round(10 * degrees * most) / 10, 4) + " deg: its tension rises there");
-  if (takes_profile(request) && !speed_profile_row(request.profile).limits_jerk)
+  if (takes_profile(request) && speed_profile_row(request.profile).order == 2)
     list.push_back(std::string("profile ") + name_of<SpeedProfile>(request.profile, speed_profiles) +
                    ": the acceleration jumps where a change of speed begins and ends; no jerk limit of axes or feed is "
                    "held or verified");

@@ -1,6 +1,7 @@
 #pragma once
 /// N axes over time, in pieces. Setpoints, verifier and drawings take any motion: an axis path driven by a time law, a
 /// spline in time, a sum of two motions.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -35,8 +36,8 @@ class Motion {
   /// Returns the state in which the motion ends: the last piece's at its end, unless the motion knows it without
   /// rounding.
   virtual MotionState final_state() const { return in_piece(pieces() - 1, duration()); }
-  /// Returns whether the state of order 4 is computed; otherwise it is 0.
-  virtual bool has_snap() const { return false; }
+  /// Returns the highest order of the state that is computed, 3 or 4; what is above is 0.
+  virtual int highest_order() const { return 3; }
   /// Writes the position of an axis in a piece as a polynomial of t − begin(piece), lowest coefficient first, if it is
   /// one; then its peaks can be enclosed. Returns false, and leaves `out` unchanged, if it is none.
   virtual bool polynomial(std::size_t /*piece*/, std::size_t /*axis*/, Polynomial& /*out*/) const { return false; }
@@ -62,7 +63,7 @@ class SumOfMotions final : public Motion {
   double begin(std::size_t piece) const override { return begin_[piece].t; }
   double duration() const override { return first_->duration(); }
   MotionState in_piece(std::size_t piece, double t) const override;
-  bool has_snap() const override { return first_->has_snap() && second_->has_snap(); }
+  int highest_order() const override { return std::min(first_->highest_order(), second_->highest_order()); }
   bool polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const override;
 
  private:

@@ -25,7 +25,7 @@ class SplineMotion final : public Motion {
   double duration() const override { return pieces_.back().end; }
   /// O(axes · degree).
   MotionState in_piece(std::size_t piece, double t) const override;
-  bool has_snap() const override { return true; }
+  int highest_order() const override { return 4; }
   bool polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const override;
 
  private:

@@ -132,9 +132,9 @@ TimeLaw constant_feed(const FeedGrid& grid, const FeedOptions& options) {
 TimeLaw plan_constant_feed(const PathTask& task, const FeedOptions& options, Progress progress) {
   ProgressScope stage_progress(progress, "constant feed");
   stage_progress.report();
-  const FeedGrid grid(
-      task, {options.nodes, speed_profile_row(options.profile).limits_jerk, options.corner_angle, options.path},
-      stage_progress);
+  const FeedGrid grid(task,
+                      {options.nodes, speed_profile_row(options.profile).order, options.corner_angle, options.path},
+                      stage_progress);
   TimeLaw law = constant_feed(grid, options);
   stage_progress.done(1);
   stage_progress.report();

@@ -193,9 +193,9 @@ TimeLaw quickest(const FeedGrid& grid, SpeedProfile profile, std::size_t first, 
 TimeLaw plan_critical_points(const PathTask& task, const FeedOptions& options, Progress progress) {
   ProgressScope stage_progress(progress, "critical points");
   stage_progress.part(0, 0.4);
-  const FeedGrid grid(
-      task, {options.nodes, speed_profile_row(options.profile).limits_jerk, options.corner_angle, options.path},
-      stage_progress);
+  const FeedGrid grid(task,
+                      {options.nodes, speed_profile_row(options.profile).order, options.corner_angle, options.path},
+                      stage_progress);
   FeedOptions largest = options;
   largest.feed = 0;
   TimeLaw constant = constant_feed(grid, largest);

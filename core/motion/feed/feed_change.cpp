@@ -139,7 +139,7 @@ std::optional<FeedChange> FeedChanges::find(double s, double low, double high, b
       a = std::max(a, grid_.acceleration(walk.next())), j = std::max(j, grid_.jerk(walk.next()));
       if (walk.distance() >= reach) break;
     }
-    if (!(std::min(a, profile_.limits_jerk ? j : unlimited) < unlimited))
+    if (!(std::min(a, profile_.order == 3 ? j : unlimited) < unlimited))
       throw InvalidInput(std::vector<InputFault>{{{"feed"}, "acceleration or jerk has to be limited"}});
   }
   double lambda = 1;

@@ -105,7 +105,7 @@ FeedLimit FeedGrid::limit_of(const double* d1, const double* d2, const double* d
     const AxisLimits& axis = task_.machine.axes[k];
     offer(ratio(axis.velocity, d1[k]), FeedLimit::Kind::velocity, k);
     offer(std::sqrt(ratio(axis.acceleration, d2[k])), FeedLimit::Kind::acceleration, k);
-    if (options_.limits_jerk) offer(std::cbrt(ratio(axis.jerk, d3[k])), FeedLimit::Kind::jerk, k);
+    if (options_.order == 3) offer(std::cbrt(ratio(axis.jerk, d3[k])), FeedLimit::Kind::jerk, k);
   }
   return least;
 }
@@ -180,7 +180,7 @@ void FeedGrid::limit_at_joint(std::size_t next) {
     const double T = task_.machine.cycle_time;
     const double step = ratio(axis.acceleration * T, after.d1[k] - before.d1[k]);
     if (step < least.speed) least.speed = step, least.kind = FeedLimit::Kind::velocity_step, least.axis = k;
-    if (!options_.limits_jerk) continue;
+    if (options_.order < 3) continue;
     const double jump = std::sqrt(ratio(axis.jerk * T, after.d2[k] - before.d2[k]));
     if (jump < least.speed) least.speed = jump, least.kind = FeedLimit::Kind::acceleration_step, least.axis = k;
   }
@@ -198,7 +198,7 @@ double FeedGrid::acceleration(std::size_t i) const {
 }
 
 double FeedGrid::jerk(std::size_t i) const {
-  if (!options_.limits_jerk) return unlimited;
+  if (options_.order < 3) return unlimited;
   double least = options_.along.jerk;
   for (std::size_t k = 0; k < axes_; ++k) least = std::min(least, ratio(task_.machine.axes[k].jerk, node(i).d1[k]));
   return least;
@@ -211,7 +211,7 @@ double FeedGrid::share(const FeedNode& node, const FeedState& x, double margin) 
     const double d1 = node.d1[k], d2 = node.d2[k], d3 = node.d3[k];
     if (std::abs(d1) * x.v > axis.velocity) return 0;
     kept = kept && std::abs(d2 * x.v * x.v + d1 * x.a) <= margin * axis.acceleration;
-    if (options_.limits_jerk)
+    if (options_.order == 3)
       kept = kept && std::abs((d3 * x.v * x.v + 3 * d2 * x.a) * x.v + d1 * x.j) <= margin * axis.jerk;
   }
   if (kept) return 1;
@@ -220,7 +220,7 @@ double FeedGrid::share(const FeedNode& node, const FeedState& x, double margin) 
     const AxisLimits& axis = task_.machine.axes[k];
     const double d1 = node.d1[k], d2 = node.d2[k], d3 = node.d3[k];
     least = std::min(least, first_exit(d2 * x.v * x.v, d1 * x.a, 0, margin * axis.acceleration));
-    if (options_.limits_jerk)
+    if (options_.order == 3)
       least = std::min(least, first_exit(d3 * x.v * x.v * x.v, 3 * d2 * x.v * x.a, d1 * x.j, margin * axis.jerk));
   }
   return least;
@@ -233,7 +233,7 @@ bool FeedGrid::passes_joint(std::size_t next, const FeedState& x) const {
     const AxisLimits& axis = task_.machine.axes[k];
     const double turn = after.d1[k] - before.d1[k];
     if (std::abs(turn) * x.v > axis.acceleration * T) return false;
-    if (options_.limits_jerk && std::abs((after.d2[k] - before.d2[k]) * x.v * x.v + turn * x.a) > axis.jerk * T)
+    if (options_.order == 3 && std::abs((after.d2[k] - before.d2[k]) * x.v * x.v + turn * x.a) > axis.jerk * T)
       return false;
   }
   return true;

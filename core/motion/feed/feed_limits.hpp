@@ -41,7 +41,7 @@ struct FeedState {
 /// The options of a FeedGrid.
 struct FeedGridOptions {
   std::size_t nodes = 16;                                    ///< nodes per panel of the path
-  bool limits_jerk = true;                                   ///< whether limits of jerk hold
+  int order = 3;                                             ///< highest derivative of the axes that is limited: 2 or 3
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
   Limits along;                                              ///< limits along the tool's path
 };

@@ -149,15 +149,10 @@ bool JerkSectionPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& res
   const Segment& line = path_[segment];
   if (!path_.linear(segment)) return false;
   const Station<N> p = path_.derivatives(segment, line.curve().begin());
-  ProfileLimits limits{std::min(feed_[segment], options_.path.velocity), options_.path.acceleration, options_.path.jerk,
-                       unlimited};
-  for (std::size_t k = 0; k < N; ++k) {
-    const double t = std::abs(p.d1[k]);
-    if (t == 0) continue;
-    limits.velocity = std::min(limits.velocity, machine_.axes[k].velocity / t);
-    limits.acceleration = std::min(limits.acceleration, machine_.axes[k].acceleration / t);
-    limits.jerk = std::min(limits.jerk, machine_.axes[k].jerk / t);
-  }
+  Limits limits = options_.path;
+  limits.velocity = std::min(limits.velocity, feed_[segment]);
+  for (std::size_t k = 0; k < N; ++k)
+    if (const double rate = std::abs(p.d1[k]); rate > 0) limits.lower_to(machine_.axes[k], rate);
   if (!std::isfinite(limits.jerk)) return false;  // the acceleration would jump without a jerk limit
   append(result.law, straight_profile(line.length(), 0, 0, limits), line.s0(), segment);
   ++result.cells;

@@ -211,13 +211,8 @@ class NaturalPlanner {
     for (std::size_t i = begin; i < end; ++i)
       for (const double u : {tool_[i].curve().begin(), tool_[i].curve().end()}) {
         const AxisJet q = task_.path.at_parameter(i, u);
-        for (std::size_t k = 0; k < task_.path.axes(); ++k) {
-          const double rate = std::max(std::abs(q.d1[k]), 1e-9);
-          const AxisLimits& axis = task_.machine.axes[k];
-          least.velocity = std::min(least.velocity, axis.velocity / rate);
-          least.acceleration = std::min(least.acceleration, axis.acceleration / rate);
-          least.jerk = std::min(least.jerk, axis.jerk / rate);
-        }
+        for (std::size_t k = 0; k < task_.path.axes(); ++k)
+          least.lower_to(task_.machine.axes[k], std::max(std::abs(q.d1[k]), 1e-9));
       }
     return least;
   }

@@ -100,15 +100,14 @@ void require(std::vector<InputFault>& faults, bool ok, std::initializer_list<con
   if (!ok) faults.push_back({{place.begin(), place.end()}, message});
 }
 
-void check(double distance, double start_speed, double end_speed, const ProfileLimits& limits) {
+void check(double distance, double start_speed, double end_speed, const Limits& limits) {
   std::vector<InputFault> faults;
   require(faults, distance >= 0 && distance < unlimited, {"distance"}, "must be finite and not negative");
   require(faults, start_speed >= 0 && start_speed < unlimited, {"start_speed"}, "must be finite and not negative");
   require(faults, end_speed >= 0 && end_speed < unlimited, {"end_speed"}, "must be finite and not negative");
-  require(faults, limits.velocity > 0, {"limits", "velocity"}, "must be positive");
-  require(faults, limits.acceleration > 0, {"limits", "acceleration"}, "must be positive");
-  require(faults, limits.jerk > 0, {"limits", "jerk"}, "must be positive");
-  require(faults, limits.snap > 0, {"limits", "snap"}, "must be positive");
+  for (int order = 1; order <= Limits::highest_order; ++order)
+    require(faults, limits.of(order) > 0, {"limits", derivative_names[static_cast<std::size_t>(order)]},
+            "must be positive");
   if (faults.empty()) {
     require(faults, start_speed <= limits.velocity, {"start_speed"}, "is above the speed limit");
     require(faults, end_speed <= limits.velocity, {"end_speed"}, "is above the speed limit");
@@ -118,7 +117,7 @@ void check(double distance, double start_speed, double end_speed, const ProfileL
   if (!faults.empty()) throw InvalidInput(std::move(faults));
 }
 
-Task task_of(double start_speed, double end_speed, const ProfileLimits& limits) {
+Task task_of(double start_speed, double end_speed, const Limits& limits) {
   return {{limits.acceleration, limits.jerk, limits.snap},
           std::min(start_speed, end_speed),
           std::max(start_speed, end_speed)};
@@ -134,7 +133,7 @@ Task task_of(double start_speed, double end_speed, const ProfileLimits& limits) 
 
 }  // namespace
 
-Profile straight_profile(double distance, double start_speed, double end_speed, const ProfileLimits& limits) {
+Profile straight_profile(double distance, double start_speed, double end_speed, const Limits& limits) {
   check(distance, start_speed, end_speed, limits);
   const Task task = task_of(start_speed, end_speed, limits);
   Profile profile;
@@ -164,12 +163,12 @@ Profile straight_profile(double distance, double start_speed, double end_speed, 
   return profile;
 }
 
-double direct_distance(double start_speed, double end_speed, const ProfileLimits& limits) {
+double direct_distance(double start_speed, double end_speed, const Limits& limits) {
   check(0, start_speed, end_speed, limits);
   return task_of(start_speed, end_speed, limits).direct();
 }
 
-double min_distance(double start_speed, double end_speed, const ProfileLimits& limits) {
+double min_distance(double start_speed, double end_speed, const Limits& limits) {
   check(0, start_speed, end_speed, limits);
   return task_of(start_speed, end_speed, limits).least();
 }

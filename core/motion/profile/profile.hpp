@@ -31,11 +31,6 @@
 
 namespace bahnwerk {
 
-/// Limits in mm/s, mm/s², mm/s³, mm/s⁴. Each is positive or infinite, and one of the last three is finite.
-struct ProfileLimits {
-  double velocity = unlimited, acceleration = unlimited, jerk = unlimited, snap = unlimited;
-};
-
 /// State of a move: mm, mm/s, mm/s², mm/s³, mm/s⁴.
 struct ProfileState {
   double s = 0, v = 0, a = 0, j = 0, snap = 0;
@@ -68,15 +63,16 @@ struct Profile {
   ProfileState sample(double t) const;
 };
 
-/// Returns the fastest move over `distance` (mm, ≥ 0). Throws InvalidInput for invalid limits, distances or speeds,
+/// Returns the fastest move over `distance` (mm, ≥ 0) within limits, each of them positive or infinite, and one of
+/// acceleration, jerk and snap finite. Throws InvalidInput for invalid limits, distances or speeds,
 /// Infeasible when the distance is shorter than min_distance() (by more than 1e-12 of it); its text has the numbers.
 /// The duration is continuous in all arguments as long as distance ≥ direct_distance(), and jumps up below.
-Profile straight_profile(double distance, double start_speed, double end_speed, const ProfileLimits& limits);
+Profile straight_profile(double distance, double start_speed, double end_speed, const Limits& limits);
 
 /// Returns the distance of the fastest change of speed, mm. Throws InvalidInput.
-double direct_distance(double start_speed, double end_speed, const ProfileLimits& limits);
+double direct_distance(double start_speed, double end_speed, const Limits& limits);
 /// Returns the shortest distance of a straight_profile, mm: at most the direct one. Throws InvalidInput.
-double min_distance(double start_speed, double end_speed, const ProfileLimits& limits);
+double min_distance(double start_speed, double end_speed, const Limits& limits);
 
 /// Appends the move as pieces of path segment `segment`, starting at path length `begin` (mm).
 void append(TimeLaw& law, const Profile& profile, double begin, std::size_t segment);

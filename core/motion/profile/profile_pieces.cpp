@@ -70,7 +70,7 @@ void put_down(Profile& profile, const Rise& rise, double end) {
 
 }  // namespace
 
-void lay_pieces(Profile& profile, const SpeedChange& first, const SpeedChange& second, const ProfileLimits& limits) {
+void lay_pieces(Profile& profile, const SpeedChange& first, const SpeedChange& second, const Limits& limits) {
   const double w = profile.turning_speed, v0 = profile.start_speed, v1 = profile.end_speed, length = profile.distance;
   profile.count = 0;
   profile.duration = 0;

@@ -74,10 +74,10 @@ Rise trigonometric(double height, double acceleration, double jerk) {
 }
 
 constexpr SpeedProfileRow rows[] = {
-    //  profile                      limits_jerk  rise
-    {SpeedProfile::double_s, true, double_s},
-    {SpeedProfile::trapezoid, false, trapezoid},
-    {SpeedProfile::trigonometric, true, trigonometric},
+    //  profile                      order  rise
+    {SpeedProfile::double_s, 3, double_s},
+    {SpeedProfile::trapezoid, 2, trapezoid},
+    {SpeedProfile::trigonometric, 3, trigonometric},
 };
 
 }  // namespace

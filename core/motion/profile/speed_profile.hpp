@@ -45,9 +45,9 @@ struct Rise {
 /// A row of the table of profiles.
 struct SpeedProfileRow {
   SpeedProfile profile;
-  bool limits_jerk;  ///< whether acceleration is continuous and jerk stays within the limit
+  int order;  ///< highest derivative that stays within its limit: 2, or 3, where acceleration is continuous
   /// Returns the fastest rise of this profile by `height` ≥ 0 within acceleration (mm/s²) and jerk (mm/s³), both
-  /// positive, one of them finite; acceleration has to be finite for a profile that does not limit jerk.
+  /// positive, one of them finite; acceleration has to be finite for a profile of order 2.
   Rise (*rise)(double height, double acceleration, double jerk);
 };
 

@@ -14,7 +14,7 @@ MotionSetpoints::MotionSetpoints(std::shared_ptr<const Motion> motion, const Mac
       orders_(static_cast<std::size_t>(highest) + 1),
       cycle_time_(machine.cycle_time) {
   static constexpr std::array prefix{"", "v", "a", "j", "s"}, per{"", "/s", "/s²", "/s³", "/s⁴"};
-  if (highest < 0 || highest > 4 || (highest == 4 && !motion_->has_snap()))
+  if (highest < 0 || highest > motion_->highest_order())
     throw std::invalid_argument("setpoints have the derivatives that the motion has, up to the snap");
   if (motion_->axes() != machine.axes.size())
     throw std::invalid_argument("setpoints need a motion of every axis of the machine");

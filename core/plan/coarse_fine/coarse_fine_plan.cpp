@@ -109,17 +109,17 @@ class CoarseFineProblem final : public MotionProblem {
     cycles_factor_ = factor;
     plan_.head = std::make_shared<const PathMotion>(driven_.path.path, result_.head->law().slowed(factor_));
     plan_.coarse = std::make_shared<const FittedMotion>(result_.coarse, factor_, plan_.head->law(), still,
-                                                        machine_.limits_jerk() ? 2 : 1);
+                                                        machine_.limited_order() - 1);
   }
 
   Verification verify() override {
     const double between = planned + 0.5 * (verified - planned);
     VerifierInput head{*driven_.path.path, head_, plan_.head->law(), driven_.path.feeds_to_verify, driven_.path.rests};
     head.corner_angle = planning_.corner_angle;
-    head.check_jerk = machine_.limits_jerk();
+    head.order = machine_.limited_order();
     Verification verdict = verify_motion(head, progress_.part(planned, between));
     CoarseFineToVerify split{*driven_.path.path, plan_.head->law(), *plan_.coarse, coarse_axes_, fine_axes_};
-    split.check_jerk = machine_.limits_jerk();
+    split.order = machine_.limited_order();
     split.cycle_time = machine_.cycle_time;
     verdict.add(coarse_fine_checks(split, progress_.part(between, verified)));
     std::vector<bool> centred;
@@ -232,7 +232,7 @@ class CoarseFineProblem final : public MotionProblem {
   /// Takes the rounded contour, or the given one with stops at its corners if its bound is less.
   void choose_contour() {
     ContourPlanning planning = planning_;
-    planning.method = machine_.limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
+    planning.method = machine_.limited_order() == 3 ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
     const double rounded = 0.5 * chosen();
     const PreparedContour prepared =
         prepare_contour(given_, head_limits(machine_), planning, progress_.part(0, rounded));

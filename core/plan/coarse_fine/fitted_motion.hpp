@@ -27,7 +27,7 @@ class FittedMotion final : public Motion {
   double duration() const override { return duration_; }
   MotionState in_piece(std::size_t piece, double t) const override;
   MotionState final_state() const override;
-  bool has_snap() const override { return motion_->has_snap(); }
+  int highest_order() const override { return motion_->highest_order(); }
   bool polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const override;
 
  private:

@@ -31,11 +31,10 @@ std::vector<InputFault> machine_faults(const Machine& machine) {
   };
   if (!(machine.cycle_time > 0) || !std::isfinite(machine.cycle_time))
     fault({"cycle_time"}, "must be a positive number, s");
-  static constexpr const char* names[] = {"velocity", "acceleration", "jerk", "snap"};
   for (const AxisLimits& axis : machine.axes) {
     for (int order = 1; order <= Limits::highest_order; ++order)
       if (!(axis.of(order) > 0) || (order == 2 && !std::isfinite(axis.of(order))))
-        fault({"axes", axis.name, names[order - 1]}, "must be a positive number");
+        fault({"axes", axis.name, derivative_names[static_cast<std::size_t>(order)]}, "must be a positive number");
     if (!(axis.lowest < axis.highest))
       fault({"axes", axis.name, "range"}, "must go from the lower end to the higher one");
   }
@@ -76,7 +75,7 @@ void check_corners(const ContourPlanning& planning, std::vector<InputFault>& fau
 
 std::vector<InputFault> planning_faults(const Machine& machine, const ContourPlanning& planning) {
   std::vector<InputFault> faults;
-  const bool smooth = method_row(planning.method).limits_jerk;
+  const bool smooth = method_row(planning.method).order == 3;
   if (smooth && !limits_jerk(machine, machine.dimension()) && !(planning.along.jerk < unlimited))
     faults.push_back({jerk_place(machine), "is required by method jerk_limited, of one axis at least"});
   const Limits& path = planning.along;
@@ -95,7 +94,7 @@ std::vector<InputFault> contour_faults(const Contour& contour, const ToolMachine
     check_axes(contour, machine, "axes", faults);
   else if (machine.coordinates < contour.dimension)
     faults.push_back({{"machine", "axes"}, "need one that moves z: the contour is in space"});
-  if (method_row(planning.method).limits_jerk && !(planning.along.jerk < unlimited) &&
+  if (method_row(planning.method).order == 3 && !(planning.along.jerk < unlimited) &&
       !limits_jerk(machine, machine.cartesian() ? contour.dimension : machine.dimension()))
     faults.push_back(
         {jerk_place(machine), "is required by method jerk_limited, of one axis at least that the contour moves"});

@@ -33,13 +33,11 @@ StoppingTime::StoppingTime(const Contour& contour, const AxisPath& axes, const M
       corner_angle_(corner_angle),
       feeds_(contour.feeds()),
       rests_(contour.rest_places()) {
-  double speed = 0, acceleration = 0, jerk = 0;
-  for (const AxisLimits& axis : machine.axes) {
-    speed += axis.velocity * axis.velocity;
-    acceleration += axis.acceleration * axis.acceleration;
-    jerk += axis.jerk * axis.jerk;
+  for (int order = 1; order <= Limits::highest_order; ++order) {
+    double square = 0;
+    for (const AxisLimits& axis : machine.axes) square += axis.of(order) * axis.of(order);
+    together_.of(order) = std::sqrt(square);
   }
-  speed_ = std::sqrt(speed), acceleration_ = std::sqrt(acceleration), jerk_ = std::sqrt(jerk);
 }
 
 bool StoppingTime::rests(std::size_t i) const {
@@ -58,24 +56,20 @@ double StoppingTime::least(std::size_t first, std::size_t last, ProgressScope& p
 
 StoppingTime::Limit StoppingTime::limit(std::size_t i) const {
   const Segment& segment = axes_[i];
-  Limit l{std::min(feeds_[i], speed_), acceleration_, jerk_, 0};
+  Limit l{together_, 0};
+  l.velocity = std::min(l.velocity, feeds_[i]);
   const PathPoint at = segment.at_parameter(segment.curve().begin());
   if (segment.straight()) {
-    for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
-      const double t = std::abs(at.d1[k]);
-      if (!(t > 1e-12)) continue;
-      l.speed = std::min(l.speed, machine_.axes[k].velocity / t);
-      l.acceleration = std::min(l.acceleration, machine_.axes[k].acceleration / t);
-      l.jerk = std::min(l.jerk, machine_.axes[k].jerk / t);
-    }
+    for (std::size_t k = 0; k < machine_.axes.size(); ++k)
+      if (const double rate = std::abs(at.d1[k]); rate > 1e-12) l.lower_to(machine_.axes[k], rate);
   } else if (segment.curve().kind() == CurveKind::arc) {
     const double q2 = norm(at.d2);
-    if (q2 > 0) l.speed = std::min(l.speed, std::sqrt(acceleration_ / q2));
-    l.jerk += q2 * q2 * l.speed * l.speed * l.speed;
+    if (q2 > 0) l.velocity = std::min(l.velocity, std::sqrt(together_.acceleration / q2));
+    l.jerk += q2 * q2 * l.velocity * l.velocity * l.velocity;
   } else {
     l.jerk = unlimited;  // the curvature is not known
   }
-  l.time = segment.length() / l.speed;
+  l.time = segment.length() / l.velocity;
   return l;
 }
 
@@ -90,7 +84,7 @@ double StoppingTime::joint_speed(std::size_t next) const {
     const double tangent_jump = std::abs(b.d1[k] - a.d1[k]), q2 = std::abs(b.d2[k] - a.d2[k]);
     const AxisLimits& axis = machine_.axes[k];
     if (tangent_jump > 0) speed = std::min(speed, axis.acceleration * cycle / tangent_jump);
-    if (q2 > 0) speed = std::min(speed, std::sqrt((axis.jerk * cycle + tangent_jump * acceleration_) / q2));
+    if (q2 > 0) speed = std::min(speed, std::sqrt((axis.jerk * cycle + tangent_jump * together_.acceleration) / q2));
   }
   return speed * (1 + rounding);
 }
@@ -100,9 +94,9 @@ double StoppingTime::between_stops(std::size_t first, std::size_t last, Progress
   if (last == first + 1 && axes_.linear(first)) return verify::rest_to_rest(axes_, first, feeds_[first], machine_);
   Limit l = limit(first);
   const auto stop = [](const Limit& at) {
-    if (!std::isfinite(at.speed)) return 0.0;
-    return std::max(lost_to_acceleration(at.speed, 0, at.acceleration, 0.5 * at.time),
-                    lost_to_jerk(at.speed, 0, at.jerk, 0.5 * at.time));
+    if (!std::isfinite(at.velocity)) return 0.0;
+    return std::max(lost_to_acceleration(at.velocity, 0, at.acceleration, 0.5 * at.time),
+                    lost_to_jerk(at.velocity, 0, at.jerk, 0.5 * at.time));
   };
   double sum = l.time + stop(l);
   for (std::size_t i = first + 1; i < last; ++i) {
@@ -110,7 +104,7 @@ double StoppingTime::between_stops(std::size_t first, std::size_t last, Progress
     const Limit before = l;
     l = limit(i);
     sum += l.time;
-    const double speed = std::min(before.speed, l.speed), w = joint_speed(i);
+    const double speed = std::min(before.velocity, l.velocity), w = joint_speed(i);
     if (!(w < speed) || !std::isfinite(speed)) continue;
     const double tau = 0.5 * std::min(before.time, l.time);
     sum += 2 * std::max(lost_to_acceleration(speed, w, std::max(before.acceleration, l.acceleration), tau),

@@ -33,10 +33,9 @@ class StoppingTime {
   bool rests(std::size_t i) const;
 
  private:
-  /// Limits of the motion on a segment, mm/s, mm/s², mm/s³.
-  struct Limit {
-    double speed = 0, acceleration = 0, jerk = 0;
-    double time = 0;  ///< length / speed
+  /// Limits of the motion along a segment, and the time at the largest speed, s.
+  struct Limit : Limits {
+    double time = 0;
   };
   Limit limit(std::size_t segment) const;
   double joint_speed(std::size_t next) const;
@@ -48,7 +47,7 @@ class StoppingTime {
   double corner_angle_;
   std::vector<double> feeds_;
   std::vector<bool> rests_;
-  double speed_, acceleration_, jerk_;  // limits of all axes together
+  Limits together_;  // limits of all axes together
 };
 
 }  // namespace bahnwerk

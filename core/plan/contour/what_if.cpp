@@ -42,7 +42,7 @@ std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const T
                             const ContourPlanning& planning, Progress progress) {
   std::vector<Change> changes;
   if (planning.corner_mode == CornerMode::blend) changes.push_back({WhatIf::What::tolerance, 2});
-  if (method_row(planning.method).limits_jerk)
+  if (method_row(planning.method).order == 3)
     changes.insert(changes.end(), {{WhatIf::What::jerk, 0.5}, {WhatIf::What::jerk, 2}});
   changes.push_back({WhatIf::What::acceleration, 0.5});
   std::vector<WhatIf> answers;

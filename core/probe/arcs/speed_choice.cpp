@@ -76,7 +76,7 @@ std::vector<double> SpeedChoice::reachable(bool backwards, std::vector<double> s
   const std::size_t n = speed.size();
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const std::size_t i = backwards ? n - 1 - k : k, last = backwards ? i + 1 : i - 1, edge = std::min(i, last);
-    const ProfileLimits limits = limits_along(problem_, directions_[edge]);
+    const Limits limits = limits_along(problem_, directions_[edge]);
     const double length = norm(problem_.points[edge + 1] - problem_.points[edge]) * (1 - 2 * length_rounding);
     const auto reaches = [&](double v) {
       const double room = length - turns_[i].size(v).length;
@@ -105,7 +105,7 @@ std::vector<double> SpeedChoice::largest_speeds() const {
 
 void SpeedChoice::connect(std::size_t edge, const Candidates& from, Candidates& to) const {
   const Vec chord = problem_.points[edge + 1] - problem_.points[edge];
-  const ProfileLimits limits = limits_along(problem_, directions_[edge]);
+  const Limits limits = limits_along(problem_, directions_[edge]);
   for (Candidate& next : to) {
     next.time = unlimited;
     for (std::size_t k = 0; k < from.size(); ++k) {

@@ -13,14 +13,10 @@ namespace {
 constexpr double reach = 0.999;  // of point_tolerance
 
 /// The least limits of any axis.
-ProfileLimits least_limits(const ProbeProblem& problem) {
-  ProfileLimits out;
+Limits least_limits(const ProbeProblem& problem) {
+  Limits out;
   out.velocity = problem.speed;
-  for (const AxisLimits& axis : problem.machine.axes) {
-    out.acceleration = std::min(out.acceleration, axis.acceleration);
-    out.jerk = std::min(out.jerk, axis.jerk);
-    out.snap = std::min(out.snap, axis.snap);
-  }
+  for (const AxisLimits& axis : problem.machine.axes) out.lower_to(axis);
   return out;
 }
 
@@ -58,7 +54,7 @@ PointChoice::PointChoice(const ProbeProblem& problem, std::function<void()> repo
   const std::size_t n = problem.points.size();
   for (std::size_t g = problem.given.size(); g-- > 0;) first_[problem.point_of[g]] = g;
 
-  const ProfileLimits limits = least_limits(problem);
+  const Limits limits = least_limits(problem);
   profile_ = straight_profile(along_.back(), 0, 0, limits);
   for (std::size_t g = 0; g < along_.size(); ++g) time_[g] = probe::time_at(profile_, along_[g]);
   step_ = std::pow(100 * problem.point_tolerance / limits.snap, 0.25);

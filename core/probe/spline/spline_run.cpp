@@ -13,14 +13,10 @@ constexpr double least_share = 0.04;       // share of velocity at a point below
 constexpr double quick_least_share = 0.3;  // least share where there are many points
 
 /// Limits that hold along every direction.
-ProfileLimits limits_anywhere(const ProbeProblem& problem) {
-  ProfileLimits limits;
+Limits limits_anywhere(const ProbeProblem& problem) {
+  Limits limits;
   limits.velocity = problem.speed;
-  for (std::size_t k = 0; k < problem.dimension(); ++k) {
-    limits.acceleration = std::min(limits.acceleration, problem.axis(k).acceleration);
-    limits.jerk = std::min(limits.jerk, problem.axis(k).jerk);
-    limits.snap = std::min(limits.snap, problem.axis(k).snap);
-  }
+  for (const AxisLimits& axis : problem.machine.axes) limits.lower_to(axis);
   return limits;
 }
 
@@ -49,9 +45,9 @@ SplineRun::SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t
 void SplineRun::start(double speed, double share) {
   double total = 0;
   for (const double length : length_) total += length;
-  ProfileLimits limits = limits_anywhere(problem_);
+  Limits limits = limits_anywhere(problem_);
+  limits.scale(share);
   limits.velocity = speed;
-  limits.acceleration *= share, limits.jerk *= share, limits.snap *= share;
   const Profile profile = straight_profile(total, 0, 0, limits);
   reach_ = std::min(direct_distance(0, speed, limits), total / 4);
   double way = 0, before = 0;

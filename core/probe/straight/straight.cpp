@@ -34,16 +34,11 @@ double time_at(const Profile& profile, double distance) {
   return pieces[i].t0 + (when.low + when.high) / 2;
 }
 
-ProfileLimits limits_along(const ProbeProblem& problem, Vec direction) {
-  ProfileLimits limits;
+Limits limits_along(const ProbeProblem& problem, Vec direction) {
+  Limits limits;
   limits.velocity = problem.speed;
-  for (std::size_t k = 0; k < problem.dimension(); ++k) {
-    const double share = std::abs(direction[k]);
-    if (!(share > 0)) continue;
-    limits.acceleration = std::min(limits.acceleration, problem.axis(k).acceleration / share);
-    limits.jerk = std::min(limits.jerk, problem.axis(k).jerk / share);
-    limits.snap = std::min(limits.snap, problem.axis(k).snap / share);
-  }
+  for (std::size_t k = 0; k < problem.dimension(); ++k)
+    if (const double share = std::abs(direction[k]); share > 0) limits.lower_to(problem.axis(k), share);
   return limits;
 }
 

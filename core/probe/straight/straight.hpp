@@ -12,7 +12,7 @@ namespace bahnwerk::probe {
 
 /// Returns the limits L = min_k L_k/|d_k| of acceleration, jerk and snap along the unit vector d, and the problem's
 /// speed.
-ProfileLimits limits_along(const ProbeProblem& problem, Vec direction);
+Limits limits_along(const ProbeProblem& problem, Vec direction);
 
 /// Returns the time at which the profile has covered `distance`, s.
 double time_at(const Profile& profile, double distance);

@@ -21,15 +21,12 @@ constexpr int parts = 16, thirds = 60;  // parts of the range of σ, and steps o
 constexpr double rounding = 1e-13;      // relative duration of pieces that are left out
 
 /// Limits of one stage along the line.
-ProfileLimits stage(const AxisJet& jet, const CoarseFineMachine& machine, Limits CoarseFineAxis::*limits) {
-  ProfileLimits along;
+Limits stage(const AxisJet& jet, const CoarseFineMachine& machine, Limits CoarseFineAxis::*limits) {
+  Limits along;
   for (std::size_t k = 0; k < machine.axes.size(); ++k) {
-    const double rate = std::abs(jet.d1[k]);
-    if (rate == 0) continue;
-    const Limits& axis = machine.axes[k].*limits;
-    along.velocity = std::min(along.velocity, share * axis.velocity / rate);
-    along.acceleration = std::min(along.acceleration, share * axis.acceleration / rate);
-    along.jerk = std::min(along.jerk, share * axis.jerk / rate);
+    Limits axis = machine.axes[k].*limits;
+    axis.scale(share);
+    if (const double rate = std::abs(jet.d1[k]); rate > 0) along.lower_to(axis, rate);
   }
   return along;
 }
@@ -101,7 +98,7 @@ struct Stages {
 
 class Search {
  public:
-  Search(double length, double half, const ProfileLimits& coarse, const ProfileLimits& fine, double feed)
+  Search(double length, double half, const Limits& coarse, const Limits& fine, double feed)
       : length_(length), most_(std::min(half, 0.5 * length)), coarse_(coarse), fine_(fine), feed_(feed) {}
 
   Stages best() const {
@@ -113,7 +110,7 @@ class Search {
   }
 
  private:
-  static Profile moved(double way, const ProfileLimits& limits) { return straight_profile(way, 0, 0, limits); }
+  static Profile moved(double way, const Limits& limits) { return straight_profile(way, 0, 0, limits); }
   double coarse_time(double half) const {
     const double way = length_ - 2 * half;
     return way > 0 ? moved(way, coarse_).duration : 0;
@@ -156,7 +153,7 @@ class Search {
   /// at both ends, so the head reaches the feed q/feed earlier. After the first move the fine axes return as far as the
   /// second one needs, while the head keeps its feed and the coarse axes are ahead of it.
   Stages at_feed() const {
-    ProfileLimits driven = coarse_;
+    Limits driven = coarse_;
     driven.velocity = std::min(driven.velocity, feed_);
     if (!(coarse_.velocity >= feed_)) return {};
     const bool jerk = coarse_.jerk < unlimited;
@@ -176,9 +173,9 @@ class Search {
       height = std::min({1 - part, fine_.velocity / feed_, steepest * part, steepest * (1 - part)});
     }
     const auto cruise = [&](double push) { return (length_ - 2 * push - 2 * way) / feed_; };
-    ProfileLimits backwards{std::min(fine_.velocity, coarse_.velocity - feed_),
-                            std::min(fine_.acceleration, coarse_.acceleration), std::min(fine_.jerk, coarse_.jerk),
-                            unlimited};
+    Limits backwards = coarse_;
+    backwards.velocity -= feed_;
+    backwards.lower_to(fine_);
     const auto back = [&](double push) { return std::max(0.0, 2 * push - 2 * most_); };
     const auto back_time = [&](double push) {
       return !(back(push) > 0) ? 0 : backwards.velocity > 0 ? moved(back(push), backwards).duration : unlimited;
@@ -213,11 +210,13 @@ class Search {
   }
 
   /// Limits of a profile of the whole length that both stages follow in proportion.
-  ProfileLimits proportional(double half) const {
+  Limits proportional(double half) const {
     const double fine = 2 * half / length_, coarse = 1 - fine;
-    const auto least = [&](double a, double b) { return std::min(a / coarse, fine > 0 ? b / fine : unlimited); };
-    return {std::min(feed_, least(coarse_.velocity, fine_.velocity)), least(coarse_.acceleration, fine_.acceleration),
-            least(coarse_.jerk, fine_.jerk), unlimited};
+    Limits both;
+    both.velocity = feed_;
+    both.lower_to(coarse_, coarse);
+    if (fine > 0) both.lower_to(fine_, fine);
+    return both;
   }
   Stages together() const {
     const double most = std::min(most_, 0.5 * length_ * (1 - least_way));
@@ -232,9 +231,11 @@ class Search {
       for (const double half : {most * (i + 1) / parts, 0.5 * (low + high)})
         if (const double t = time(half); t < least) least = t, best = half;
     }
-    const ProfileLimits limits = proportional(best);
+    const Limits limits = proportional(best);
     const auto part = [&](double of) {
-      return ProfileLimits{limits.velocity * of, limits.acceleration * of, limits.jerk * of, unlimited};
+      Limits scaled = limits;
+      scaled.scale(of);
+      return scaled;
     };
     const double fine = 2 * best / length_;
     Stages s;
@@ -246,7 +247,7 @@ class Search {
   }
 
   double length_, most_;
-  ProfileLimits coarse_, fine_;
+  Limits coarse_, fine_;
   double feed_;
 };
 
@@ -272,8 +273,7 @@ std::optional<LoneMove> lone_move(const AxisPath& path, const CoarseFineMachine&
   if (path.size() != 1 || !path.linear(0)) return std::nullopt;
   const double length = path.length();
   const AxisJet jet = path.at(0, 0);
-  ProfileLimits coarse = stage(jet, machine, &CoarseFineAxis::coarse),
-                fine = stage(jet, machine, &CoarseFineAxis::fine);
+  Limits coarse = stage(jet, machine, &CoarseFineAxis::coarse), fine = stage(jet, machine, &CoarseFineAxis::fine);
   if (!(coarse.acceleration < unlimited)) return std::nullopt;
   double half = unlimited;
   for (std::size_t k = 0; k < machine.axes.size(); ++k)

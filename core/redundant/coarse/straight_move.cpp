@@ -69,7 +69,7 @@ Pace lasting(const StraightMove& move, Pace pace, double duration) {
 void append_move(TimeLaw& law, const StraightMove& move, const Pace& pace) {
   const auto limits = [&](double speed, double acceleration) {
     const double jerk = move.jerk_per_acceleration < unlimited ? acceleration * move.jerk_per_acceleration : unlimited;
-    return ProfileLimits{speed, acceleration, jerk, unlimited};
+    return Limits{speed, acceleration, jerk, unlimited};
   };
   const auto way = [&](double speed) {
     return direct_distance(0, speed, limits(speed, pace.rise)) + direct_distance(speed, 0, limits(speed, pace.fall));

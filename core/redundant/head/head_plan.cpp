@@ -17,11 +17,7 @@ constexpr double coarse_share =
     1 - 1e-5;  // used share of the coarse axes' limits; the rest exceeds the reduction of their boxes
 
 Machine shared(Machine machine, double share) {
-  for (AxisLimits& axis : machine.axes) {
-    axis.velocity *= share;
-    axis.acceleration *= share;
-    axis.jerk *= share;
-  }
+  for (AxisLimits& axis : machine.axes) axis.scale(share);
   return machine;
 }
 

@@ -65,8 +65,8 @@ AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions
       options_(options),
       constants_(constants),
       scope_(progress.part(0.2, 1), "planning"),
-      jerk_(task.machine.limits_jerk()),
-      may_keep_(!jerk_ && options.approximation == CoarseApproximation::least_squares &&
+      order_(task.machine.limited_order()),
+      may_keep_(order_ == 2 && options.approximation == CoarseApproximation::least_squares &&
                 options.smoothing == CoarseSmoothing::none),
       machine_(first_limits(task.machine)),
       first_feeds_(first_feeds(task)),
@@ -273,7 +273,7 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
                               int iteration) {
   const std::size_t begin = sections_.begin(first), blocks = sections_.begin(last) - begin;
   const HeadLimits before = limits_;
-  const int impatient = std::max(kept(iteration), jerk_ ? 0 : iteration - constants_.patience);
+  const int impatient = std::max(kept(iteration), order_ == 3 ? 0 : iteration - constants_.patience);
   const AdaptationOptions adaptation =
       impatient > 0 ? with_larger_steps(constants_.adaptation, impatient) : constants_.adaptation;
   bool fell = false;
@@ -287,7 +287,7 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
     // Within the limit of the fine acceleration the stroke can only be exceeded between samples.
     fell |= adapt(limits_.acceleration[k], begin, {coarse, a.coarse.acceleration}, {fine, a.fine.acceleration},
                   iteration, adaptation);
-    if (!jerk_) continue;
+    if (order_ == 2) continue;
     of(&SplitPeaks::coarse_jerk, &SplitPeaks::fine_jerk);
     fell |= adapt(limits_.jerk[k], begin, {coarse, a.coarse.jerk}, {fine, a.fine.jerk}, iteration, adaptation);
   }

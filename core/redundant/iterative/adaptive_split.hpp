@@ -99,7 +99,7 @@ class AdaptiveSplit {
   const RedundancyOptions& options_;
   const IterativeOptions& constants_;
   ProgressScope scope_;
-  bool jerk_;
+  int order_;        // the highest derivative that is limited
   bool may_keep_;    ///< whether knots may be kept: for least squares alone without limited jerk
   Machine machine_;  ///< limits of the head's first plan
   std::vector<double> first_feeds_;

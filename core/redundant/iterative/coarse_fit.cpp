@@ -111,9 +111,7 @@ class Programs {
 
   /// Adds |derivative| ≤ limit. `elastic` > 0 is the row's elasticity; 0 stands for ≤ w limits; < 0 makes the row hard.
   void limits(BandProgram& program, std::size_t order, double elastic) const {
-    const double limit = order == 1   ? task_.limits.velocity
-                         : order == 2 ? task_.limits.acceleration
-                                      : task_.limits.jerk;
+    const double limit = task_.limits.of(static_cast<int>(order));
     if (!(limit < unlimited) || order > fit_.space.degree()) return;
     const auto add = [&](const SplineRow& spline_row) {
       VariableRow row = fit_.ends.reduced(spline_row);

@@ -14,7 +14,7 @@ constexpr double inside = 1 - 1e-6;  // share of the limits that fits keep
 double use_of_limits(const CoarseTask& task, const FitRows& fit, const std::vector<double>& y) {
   double most = 0;
   for (std::size_t order = 1; order <= std::min<std::size_t>(3, fit.space.degree()); ++order) {
-    const double limit = order == 1 ? task.limits.velocity : order == 2 ? task.limits.acceleration : task.limits.jerk;
+    const double limit = task.limits.of(static_cast<int>(order));
     if (!(limit < unlimited)) continue;
     SplineRow row;
     for (std::size_t i = 0; i + order < fit.space.size(); ++i) {

@@ -18,7 +18,7 @@ void check(const RedundancyTask& task, const RedundancyOptions& options) {
   };
   if (options.degree < 2 || options.degree > static_cast<int>(max_spline_degree))
     refuse("degree", "the degree of the coarse axes' splines is 2 to 5");
-  const int smooth = task.machine.limits_jerk() ? 2 : 1;
+  const int smooth = task.machine.limited_order() - 1;
   if (options.knot_multiplicity < 1 || options.degree - options.knot_multiplicity < smooth)
     refuse("knot_multiplicity", smooth == 2 ? "with limited jerk knots count at most degree − 2 times"
                                             : "knots count at most degree − 1 times");
@@ -98,7 +98,7 @@ class Planner {
   std::vector<SplineBegin> at_head() const {
     std::vector<SplineBegin> begin(coarse_.size());
     const AxisJet q = task_.path->at_parameter(0, (*task_.path)[0].curve().begin());
-    for (std::size_t k = 0; k < begin.size(); ++k) begin[k] = {q.value[k], 0, 0, task_.machine.limits_jerk(), {}};
+    for (std::size_t k = 0; k < begin.size(); ++k) begin[k] = {q.value[k], 0, 0, task_.machine.limited_order(), {}};
     return begin;
   }
   /// Returns the coarse axes' states at time t of a part.
@@ -109,7 +109,7 @@ class Planner {
       const std::size_t piece = axis.find(t, 0);
       const AxisState x = axis.in_piece(piece, t);
       const bool ends = t >= axis.duration();  // at rest, but for rounding
-      begin[k] = {x.x, ends ? 0 : x.v, ends ? 0 : x.a, task_.machine.limits_jerk(), {}};
+      begin[k] = {x.x, ends ? 0 : x.v, ends ? 0 : x.a, task_.machine.limited_order(), {}};
     }
     return begin;
   }

@@ -12,12 +12,12 @@ SplineEnds::SplineEnds(const SplineSpace& space, const SplineBegin& begin) : siz
   const std::size_t p = space.degree();
   fixed_.push_back(begin.position);
   fixed_.push_back(begin.position + begin.velocity * (k[p + 1] - k[1]) / m);  // M₁
-  if (begin.with_acceleration) {
+  if (begin.order == 3) {
     // K₁: the acceleration's first control point is m (m − 1)/(ζ₁) · (Δ₂ − Δ₁).
     const double first = k[p + 1] - k[2], second = k[p + 2] - k[2];
     fixed_.push_back(fixed_[1] + second * (begin.velocity / m + begin.acceleration * first / (m * (m - 1))));
   }
-  variables_ = size_ - fixed_.size() - (begin.with_acceleration ? 2 : 1) - (end_ ? 1 : 0);
+  variables_ = size_ - (least(begin) - 1);
 }
 
 VariableRow SplineEnds::reduced(const SplineRow& row) const {

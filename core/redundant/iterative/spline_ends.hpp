@@ -12,7 +12,8 @@ namespace bahnwerk {
 
 struct SplineBegin {
   double position = 0, velocity = 0, acceleration = 0;  ///< mm, mm/s, mm/s²
-  bool with_acceleration = false;  ///< whether the acceleration is given at the begin, and 0 at the end
+  int order = 2;  ///< number of derivatives, the position included, that are given at the begin and, but for the
+                  ///< position, 0 at the end: 2 or 3
   std::optional<double> end = {};  ///< mm, given end position; none: it is free
 };
 
@@ -23,12 +24,14 @@ struct VariableRow {
   double offset = 0;
 };
 
-/// The free control points of a spline. K = 2 control points are fixed at the begin and K are equal at the end (K = 3
-/// with accelerations); the latter are fixed as well if the end position is given.
+/// The free control points of a spline. As many control points as the begin's order are fixed at the begin, and as many
+/// are equal at the end; the latter are fixed as well if the end position is given.
 class SplineEnds {
  public:
   /// Returns the least number of control points.
-  static std::size_t least(const SplineBegin& begin) { return (begin.with_acceleration ? 6 : 4) + (begin.end ? 1 : 0); }
+  static std::size_t least(const SplineBegin& begin) {
+    return 2 * static_cast<std::size_t>(begin.order) + (begin.end ? 1 : 0);
+  }
   SplineEnds(const SplineSpace& space, const SplineBegin& begin);
 
   std::size_t variables() const { return variables_; }

@@ -79,7 +79,7 @@ class Variants {
   };
 
   /// Tells whether the work so far leaves budget for another plan.
-  bool within_budget() const { return work_ <= joint_work(head_alone_, order == 3); }
+  bool within_budget() const { return work_ <= joint_work(head_alone_, order); }
   /// Tells whether no plan was found yet, or only ones whose head had to be slowed.
   bool slowed() const { return !best_ || (most_slowed_ > 0 && task_.path->size() > 1); }
   bool jerk_matters() const {
@@ -139,7 +139,7 @@ double stretch_of(double smoothness) {
 }
 
 Expected<JointResult, NoPlan> plan_joint(const JointTask& task, const JointOptions& options, Progress progress) {
-  const bool jerk = task.machine.limits_jerk();
+  const bool jerk = task.machine.limited_order() == 3;
   for (const CoarseFineAxis& axis : task.machine.axes)
     if ((axis.coarse.jerk < unlimited) != jerk || (axis.fine.jerk < unlimited) != jerk)
       throw std::invalid_argument("the jerk is limited of all axes or of none");

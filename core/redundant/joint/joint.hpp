@@ -43,8 +43,8 @@ struct JointOptions {
 };
 
 /// Returns the budget of work, in cells times Newton steps, for a head that takes `duration` s: it lasts about 0.3 s
-/// plus 0.3 s per second of motion. A step with limited jerk takes three times as long.
-inline double joint_work(double duration, bool jerk) { return (jerk ? 7e5 : 2e6) * (1 + duration); }
+/// plus 0.3 s per second of motion. A step of order 3, with limited jerk, takes three times as long.
+inline double joint_work(double duration, std::size_t order) { return (order == 3 ? 7e5 : 2e6) * (1 + duration); }
 
 /// One row of the table of trade-offs between duration and energy.
 struct Trade {

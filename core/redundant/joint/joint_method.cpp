@@ -25,7 +25,7 @@ Expected<RedundancyResult, NoPlan> plan_joint_method(const RedundancyTask& task,
   result.iterations = found->iterations;
   result.certified = found->certified;
   result.slowed_count = found->slowed;
-  result.coarse_jerk_limited = task.machine.limits_jerk();
+  result.coarse_jerk_limited = task.machine.limited_order() == 3;
   const double planned = found->chosen.duration / found->chosen.stretch;
   result.passes.push_back({found->fastest, found->slowed, {}});
   if (found->slowed > 0) result.passes.push_back({planned, 0, {}});

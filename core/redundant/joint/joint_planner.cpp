@@ -36,7 +36,7 @@ JointPlanner<order>::JointPlanner(JointTask task, const JointOptions& options, P
       head_(options.coarse_head ? plan_.coarse_alone() : plan_.motion()),
       smoother_(task_, splits_, plan_, fastest_, scope_) {
   result_.fastest = head_->duration();
-  work_.most = joint_work(result_.fastest, order == 3);
+  work_.most = joint_work(result_.fastest, order);
 }
 
 template <std::size_t order>

@@ -64,7 +64,7 @@ using enum CandidatePlanner;
 constexpr Candidate candidates[] = {
     // step, planner, backwards, worth trying
     {0, asked_timed_again, false,
-     [](const Situation& s) { return s.options.reparametrise && !s.task.machine.limits_jerk(); }},
+     [](const Situation& s) { return s.options.reparametrise && s.task.machine.limited_order() == 2; }},
     {1, asked, false, [](const Situation&) { return true; }},
     {1, coarse_axes, false, [](const Situation& s) { return joint_asked(s) && coarse_axes_may_be_quicker(s); }},
     {1, asked, true, [](const Situation& s) { return redundancy_row(s.options.method).either_way && open(s); }},
@@ -242,7 +242,7 @@ std::optional<std::string> PlanChoice::quicker_coarse_axes(double duration) {
   const CandidatePlanner planner = candidates[chosen_->candidate].planner;
   if (options_.method == RedundancyMethod::joint || (planner != asked && planner != asked_timed_again))
     return std::nullopt;
-  if (task_.machine.limits_jerk() || !within_coarse_range(*task_.path, task_.machine)) return std::nullopt;
+  if (task_.machine.limited_order() == 3 || !within_coarse_range(*task_.path, task_.machine)) return std::nullopt;
   const double alone = plan_coarse_alone(task_, options_, progress_.part(1, 1)).head->duration();
   if (duration <= alone * (1 + quicker)) return std::nullopt;
   char note[160];

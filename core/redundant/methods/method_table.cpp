@@ -14,13 +14,13 @@ namespace {
 
 // The plan of a lag is not one of the lag backwards, and the curve of the geometric split is the same both ways.
 constexpr RedundancyRow rows[] = {
-    //  method                              planner  limits_jerk  every_axis  centres  either_way
-    {RedundancyMethod::joint, plan_joint_method, true, false, false, true},
-    {RedundancyMethod::iterative, plan_iterative, true, true, true, true},
-    {RedundancyMethod::geometric, plan_geometric, false, true, true, false},
-    {RedundancyMethod::filter, plan_filter, false, true, true, true},
-    {RedundancyMethod::follow_up, plan_follow_up, false, true, true, true},
-    {RedundancyMethod::lag_compensation, plan_lag_compensation, false, true, true, false},
+    //  method                              planner  order  every_axis  centres  either_way
+    {RedundancyMethod::joint, plan_joint_method, 3, false, false, true},
+    {RedundancyMethod::iterative, plan_iterative, 3, true, true, true},
+    {RedundancyMethod::geometric, plan_geometric, 2, true, true, false},
+    {RedundancyMethod::filter, plan_filter, 2, true, true, true},
+    {RedundancyMethod::follow_up, plan_follow_up, 2, true, true, true},
+    {RedundancyMethod::lag_compensation, plan_lag_compensation, 2, true, true, false},
 };
 
 }  // namespace

@@ -10,10 +10,10 @@ struct RedundancyRow {
   /// Returns the plan, or why there is none; it plans by itself, without another method. Throws InvalidInput, Stopped.
   Expected<RedundancyResult, NoPlan> (*plan)(const RedundancyTask& task, const RedundancyOptions& options,
                                              Progress progress);
-  bool limits_jerk;  ///< jerk limits of both axes hold where they are given
-  bool every_axis;   ///< every coordinate has to have a fine axis
-  bool centres;      ///< fine axes can be made to stand in the middle of their strokes at both ends
-  bool either_way;   ///< planning the reversed contour can change the duration, and its plan is one of the contour
+  int order;        ///< highest derivative whose limits hold for both axes: 2 (acceleration) or 3 (jerk)
+  bool every_axis;  ///< every coordinate has to have a fine axis
+  bool centres;     ///< fine axes can be made to stand in the middle of their strokes at both ends
+  bool either_way;  ///< planning the reversed contour can change the duration, and its plan is one of the contour
 };
 
 /// Throws std::logic_error for a method without a row.

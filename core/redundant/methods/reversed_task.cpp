@@ -176,20 +176,20 @@ std::vector<ReversedMotion::Part> parts_of(const Motion& motion, const TimeLaw& 
 }
 
 /// Removes the rounding error of velocity and acceleration with which an axis begins instead of rest: adds e with e′(0)
-/// = −v, e′(h) = 0, and for continuous accelerations e″(0) = −a, e″(h) = 0.
-void begin_at_rest(Polynomial& p, double h, bool continuous) {
-  const double v = p.size() > 1 ? p[1] : 0, a = continuous && p.size() > 2 ? 2 * p[2] : 0;
+/// = −v, e′(h) = 0, and for order 3, where accelerations are continuous, e″(0) = −a, e″(h) = 0.
+void begin_at_rest(Polynomial& p, double h, int order) {
+  const double v = p.size() > 1 ? p[1] : 0, a = order == 3 && p.size() > 2 ? 2 * p[2] : 0;
   if (v == 0 && a == 0) return;
-  if (continuous)
+  if (order == 3)
     p = p + Polynomial{0, -v, -a / 2, (3 * v + 2 * a * h) / (3 * h * h), -(2 * v + a * h) / (4 * h * h * h)};
   else
     p = p + Polynomial{0, -v, v / (2 * h)};
   p[1] = 0;
-  if (continuous && p.size() > 2) p[2] = 0;
+  if (order == 3 && p.size() > 2) p[2] = 0;
 }
 
 /// Reverses a polynomial motion that begins at rest.
-std::shared_ptr<const SplineMotion> spline(const Motion& motion, bool jerk) {
+std::shared_ptr<const SplineMotion> spline(const Motion& motion, int order) {
   std::vector<SplineMotion::Piece> pieces;
   pieces.reserve(motion.pieces());
   for (std::size_t i = 0; i < motion.pieces(); ++i) {
@@ -201,7 +201,7 @@ std::shared_ptr<const SplineMotion> spline(const Motion& motion, bool jerk) {
     for (std::size_t k = 0; k < motion.axes(); ++k)
       if (!motion.polynomial(i, k, piece.axes[k])) return nullptr;
   }
-  for (Polynomial& p : pieces.front().axes) begin_at_rest(p, pieces.front().end, jerk);
+  for (Polynomial& p : pieces.front().axes) begin_at_rest(p, pieces.front().end, order);
   return std::make_shared<const SplineMotion>(std::move(pieces));
 }
 
@@ -231,16 +231,16 @@ RedundancyResult reversed(RedundancyResult found, const RedundancyTask& task) {
   const auto back = [&](const std::shared_ptr<const Motion>& motion) {
     return std::make_shared<const ReversedMotion>(motion, parts_of(*motion, law, begins), head->duration());
   };
-  const bool jerk = task.machine.limits_jerk();
+  const int order = task.machine.limited_order();
   // Carried axes follow the task's own path exactly.
   if (found.coarse == found.head) {
     found.coarse = head;
   } else if (const auto* carried = dynamic_cast<const CarriedMotion*>(found.coarse.get())) {
-    const auto split = carried->split() ? spline(*back(carried->split()), jerk) : nullptr;
+    const auto split = carried->split() ? spline(*back(carried->split()), order) : nullptr;
     found.coarse = std::make_shared<const CarriedMotion>(head, split, carried->carried());
   } else {
     const auto reversed_coarse = back(found.coarse);
-    found.coarse = spline(*reversed_coarse, jerk);
+    found.coarse = spline(*reversed_coarse, order);
     if (!found.coarse) found.coarse = reversed_coarse;
   }
   found.head = std::move(head);

@@ -28,15 +28,12 @@ inline double rest_to_rest(const AxisPath& path, std::size_t linear, double feed
   const bool cartesian = path.cartesian();  // the path's own derivatives, without a conversion from eight axes
   const Vec way = cartesian ? path[linear].at_parameter(u).d1 : Vec{};
   const AxisArray other = cartesian ? AxisArray{} : path.at_parameter(linear, u).d1;
-  double speed = feed, acceleration = unlimited, jerk = unlimited;
-  for (std::size_t k = 0; k < path.axes(); ++k) {
-    const double t = std::abs(cartesian ? way[k] : other[k]);
-    if (!(t > 1e-12)) continue;
-    speed = std::min(speed, machine.axes[k].velocity / t);
-    acceleration = std::min(acceleration, machine.axes[k].acceleration / t);
-    jerk = std::min(jerk, machine.axes[k].jerk / t);
-  }
-  return rest_to_rest(path[linear].length(), speed, acceleration, jerk);
+  Limits along;
+  along.velocity = feed;
+  for (std::size_t k = 0; k < path.axes(); ++k)
+    if (const double rate = std::abs(cartesian ? way[k] : other[k]); rate > 1e-12)
+      along.lower_to(machine.axes[k], rate);
+  return rest_to_rest(path[linear].length(), along.velocity, along.acceleration, along.jerk);
 }
 
 }  // namespace bahnwerk::verify

@@ -30,10 +30,10 @@ std::vector<Channel> make_channels(const VerifierInput& in) {
   std::vector<Channel> list;
   for (const ChannelQuantity quantity :
        {ChannelQuantity::velocity, ChannelQuantity::acceleration, ChannelQuantity::jerk}) {
-    if (quantity == ChannelQuantity::jerk && !in.check_jerk) continue;
+    const int order = static_cast<int>(quantity) + 1;
+    if (order > in.order) continue;
     for (std::size_t k = 0; k < in.path.axes(); ++k)
-      if (const double value = in.machine.axes[k].of(static_cast<int>(quantity) + 1); value < unlimited)
-        list.push_back({quantity, k, value});
+      if (const double value = in.machine.axes[k].of(order); value < unlimited) list.push_back({quantity, k, value});
   }
   return list;
 }

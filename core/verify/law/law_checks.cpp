@@ -61,8 +61,8 @@ class LawChecker {
       progress.work(1);
       const Passed here(p);
       const SpeedRange v = speed_range(here);
-      peak_.raise(v.high, v.high_at);
-      if (in_.check_jerk || in_.along.acceleration < unlimited) path_peaks(p);
+      path_peaks_[0].raise(v.high, v.high_at);
+      if (in_.order == 3 || in_.along.acceleration < unlimited) path_peaks(p);
       const PieceRounding& r = here.rounding;
       backward_.raise(std::isnan(v.low) ? v.low : std::max(0.0, -v.low), r.speed, v.low_at);
       if (before) pass(*before, here);
@@ -104,12 +104,12 @@ class LawChecker {
  private:
   // Acceleration, jerk and snap along the path: a is a parabola, j even, the snap constant.
   void path_peaks(const LawPiece& p) {
-    path_snap_.raise(std::abs(p.snap), p.t0);
+    path_peaks_[3].raise(std::abs(p.snap), p.t0);
     for (const double tau : {0.0, turning_points(p)[2], p.duration}) {
       if (!(tau >= 0 && tau <= p.duration)) continue;
       const LawState x = p.at(tau);
-      path_acceleration_.raise(std::abs(x.a), p.t0 + tau);
-      path_jerk_.raise(std::abs(x.j), p.t0 + tau);
+      path_peaks_[1].raise(std::abs(x.a), p.t0 + tau);
+      path_peaks_[2].raise(std::abs(x.j), p.t0 + tau);
     }
   }
 
@@ -120,7 +120,7 @@ class LawChecker {
     const PieceRounding &r0 = left_piece.rounding, &r1 = right_piece.rounding;
     velocity_gap_.raise(std::abs(v1 - v0), r0.speed + r1.speed, t);
     const double a0 = left_piece.end.a, a1 = after.a;
-    if (in_.check_jerk) acceleration_gap_.raise(std::abs(a1 - a0), r0.acceleration + r1.acceleration, t);
+    if (in_.order == 3) acceleration_gap_.raise(std::abs(a1 - a0), r0.acceleration + r1.acceleration, t);
     apart_.raise(std::abs(after.s - before.s_end), r0.position + r1.position, t);
     time_gap_.raise(std::abs(after.t0 - (before.t0 + before.duration)), rounding * std::abs(t), t);
     if (before.segment >= path_.size() || after.segment >= path_.size() || before.segment == after.segment) return;
@@ -150,7 +150,7 @@ class LawChecker {
   // accelerations along the path before and after.
   void pass_joint(std::size_t after, const Joint& joint, double v, std::array<double, 2> a, double t) {
     const std::size_t before = after - 1;
-    const bool look = in_.check_jerk || !in_.path.cartesian();
+    const bool look = in_.order == 3 || !in_.path.cartesian();
     AxisJet l, r;
     if (look) {
       l = in_.path.at_parameter(before, path_[before].curve().end());
@@ -161,7 +161,7 @@ class LawChecker {
       const double turn = in_.path.cartesian() ? joint.step[k] : r.d1[k] - l.d1[k];
       if (const double limit = axis.acceleration * in_.machine.cycle_time; limit < unlimited)
         raise(step_, std::abs(turn) * v, limit, t, k);
-      if (const double limit = axis.jerk * in_.machine.cycle_time; in_.check_jerk && limit < unlimited)
+      if (const double limit = axis.jerk * in_.machine.cycle_time; in_.order == 3 && limit < unlimited)
         raise(jump_, std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a[1] - l.d1[k] * a[0]), limit, t, k);
     }
   }
@@ -193,13 +193,9 @@ class LawChecker {
       feeds.resize(max_feeds);
     }
     for (Check& c : feeds) list.push_back(std::move(c));
-    if (in_.along.velocity < unlimited) list.push_back(make_check({quantity::path, 1}, in_.along.velocity, peak_));
-    if (in_.along.acceleration < unlimited)
-      list.push_back(make_check({quantity::path, 2}, in_.along.acceleration, path_acceleration_));
-    if (in_.check_jerk && in_.along.jerk < unlimited)
-      list.push_back(make_check({quantity::path, 3}, in_.along.jerk, path_jerk_));
-    if (in_.check_jerk && in_.along.snap < unlimited)
-      list.push_back(make_check({quantity::path, 4}, in_.along.snap, path_snap_));
+    for (int order = 1; order <= (in_.order == 3 ? Limits::highest_order : 2); ++order)
+      if (const double limit = in_.along.of(order); limit < unlimited)
+        list.push_back(make_check({quantity::path, order}, limit, path_peaks_[static_cast<std::size_t>(order - 1)]));
     if (!joints_.empty()) {
       list.push_back(make_limit_check({quantity::joint_step, 1, unit(step_)}, step_.worst));
       if (jump_.worst.limit > 0) list.push_back(make_limit_check({quantity::joint_step, 2, unit(jump_)}, jump_.worst));
@@ -209,7 +205,7 @@ class LawChecker {
     list.push_back(make_check({quantity::start_rest, 1}, start_));
     list.push_back(make_check({quantity::end_rest, 1}, end_));
     list.push_back(make_check({quantity::continuity, 1}, velocity_gap_));
-    if (in_.check_jerk) list.push_back(make_check({quantity::continuity, 2}, acceleration_gap_));
+    if (in_.order == 3) list.push_back(make_check({quantity::continuity, 2}, acceleration_gap_));
     Strained position = position_gap_;
     position.raise(joint_gap_.value, joint_gap_.limit, joint_gap_.at);
     list.push_back(make_check({quantity::continuity, 0}, position));
@@ -227,7 +223,7 @@ class LawChecker {
   std::vector<double> distinct_;
   std::vector<Worst> feed_peaks_;
   bool has_cusp_ = false;
-  Worst peak_, path_acceleration_, path_jerk_, path_snap_;
+  std::array<Worst, Limits::highest_order> path_peaks_;  // along the path, from velocity on
   StrainedAxis step_, jump_;
   Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, corner_, cusp_,
       start_, end_, uncovered_, distance_;

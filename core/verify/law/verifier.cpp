@@ -22,7 +22,7 @@ Verification verify_motion(const ContourVerifierInput& input, Progress progress)
   return verify_motion(
       {path, input.machine, input.law,
        feeds_to_hold(input.contour, input.given == nullptr ? input.contour : *input.given), input.contour.rest_places(),
-       input.corner_angle, input.check_jerk, input.path, input.position_tolerance},
+       input.corner_angle, input.order, input.path, input.position_tolerance},
       progress);
 }
 

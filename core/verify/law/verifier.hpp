@@ -19,7 +19,7 @@ struct VerifierInput {
   std::vector<double> feeds;  ///< largest speed of the tool per segment, mm/s; infinite where not limited
   std::vector<bool> rests;    ///< whether the motion rests at the beginning of each segment; one more for the end
   double corner_angle = 0;    ///< largest jump of the tool's tangent without a stop, rad
-  bool check_jerk = false;    ///< whether jerk is verified where its limit is finite, with related checks
+  int order = 2;              ///< highest derivative of the axes that is verified: 2, or 3 with related checks
   Limits along = {};          ///< limits along the tool's path
   double position_tolerance = 1e-6;  ///< allowed gap of curves at a joint, mm
 };
@@ -30,7 +30,7 @@ struct ContourVerifierInput {
   const Machine& machine;  ///< 1 to 3 axes
   const TimeLaw& law;
   double corner_angle = 0;
-  bool check_jerk = false;
+  int order = 2;
   Limits path = {};                  ///< limits along the path
   const Contour* given = nullptr;    ///< contour whose feeds hold for the blocks of `contour`, if another
   double position_tolerance = 1e-6;  ///< allowed gap of curves at a joint, mm
@@ -51,11 +51,11 @@ std::vector<double> feeds_to_hold(const Contour& driven, const Contour& given);
 /// The checks, in this order:
 ///   - `velocity <axis>`, `acceleration <axis>`, `jerk <axis>`, for limited axes;
 ///   - `path velocity (feed F)` per distinct finite feed (of `given`, if that is set);
-///   - `path velocity`, `path acceleration`, `path jerk`, `path snap` where limited (the last two with check_jerk);
+///   - `path velocity`, `path acceleration`, `path jerk`, `path snap` where limited (the last two with order 3);
 ///   - `velocity step at joints`: |Δq′|·v against acceleration · cycle time, for the worst axis and joint;
-///   - with check_jerk `acceleration step at joints`: |Δ(q″v² + q′a)| against jerk · cycle time, for the worst joint;
+///   - with order 3 `acceleration step at joints`: |Δ(q″v² + q′a)| against jerk · cycle time, for the worst joint;
 ///   - `corner rest` (at the contour's rests, too), `cusp rest`, `start at rest`, `end at rest`;
-///   - `continuity of velocity`; with check_jerk `continuity of acceleration` (also zero at rests);
+///   - `continuity of velocity`; with order 3 `continuity of acceleration` (also zero at rests);
 ///   - `continuity of position`: law and path, the worse one in relation to its limit;
 ///   - `continuity of time`, `pieces within segments`, `forward motion`;
 ///   - `path covered`: 32 ε of the path's length;

@@ -175,7 +175,7 @@ class Checker {
         Worst worst = peaks_[d - 1][k];
         const Peak& sampled = sweep_[(d - 1) * axes + k];
         worst.raise(sampled.finite ? sampled.value : std::nan(""), sampled.at);
-        if (d == 4 && !in_.motion.has_snap()) worst.value = std::nan("");
+        if (static_cast<int>(d) > in_.motion.highest_order()) worst.value = std::nan("");
         list.push_back(make_check({quantity::axis, static_cast<int>(d), axis.unit, axis.name}, limit(axis, d), worst));
       }
     }

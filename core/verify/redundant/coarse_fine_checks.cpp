@@ -33,9 +33,9 @@ std::vector<Channel> make_channels(const CoarseFineToVerify& in) {
   std::vector<Channel> list;
   for (std::size_t k = 0; k < in.fine_axes.size(); ++k) {
     const AxisLimits& axis = in.fine_axes[k];
-    const std::array limits{axis.highest, axis.velocity, axis.acceleration, in.check_jerk ? axis.jerk : unlimited};
-    for (std::size_t d = 0; d < limits.size(); ++d)
-      if (limits[d] < unlimited) list.push_back({k, d, limits[d]});
+    for (int d = 0; d <= in.order; ++d)
+      if (const double limit = d == 0 ? axis.highest : axis.of(d); limit < unlimited)
+        list.push_back({k, static_cast<std::size_t>(d), limit});
   }
   return list;
 }
@@ -321,7 +321,7 @@ std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress 
   const std::vector<Check> fine = verify::FineSweep(input, scope).run();
   const std::vector<bool> alone = verify::still_axes(input, fine);
   MotionToVerify coarse{input.coarse, input.coarse_axes};
-  coarse.continuous = input.check_jerk ? 2 : 1;
+  coarse.continuous = input.order - 1;
   // The pieces were fitted to the head's times, so both ends of each may be off by the rounding of t once more.
   coarse.resolution = std::numeric_limits<double>::epsilon() * input.law.duration();
   coarse.step = [&input, &alone](std::size_t axis, std::size_t derivative, double t) {

@@ -21,14 +21,14 @@ struct CoarseFineToVerify {
   const TimeLaw& law;                                    ///< time law of the head, as it will be sampled
   const Motion& coarse;                                  ///< as many axes as the path has, as long as the law
   const std::vector<AxisLimits>&coarse_axes, fine_axes;  ///< limits and names; a fine axis' stroke is its `highest`
-  bool check_jerk = false;  ///< whether jerk limits have to hold and the coarse acceleration has to be continuous
-  double cycle_time = 0;    ///< s; a coarse axis under a fine one that stands still takes steps at a tangent jump as a
-                            ///< machine's axis does
+  int order = 2;  ///< highest derivative whose limits have to hold; the coarse axes' next lower one is continuous
+  double cycle_time = 0;  ///< s; a coarse axis under a fine one that stands still takes steps at a tangent jump as a
+                          ///< machine's axis does
 };
 
 /// Returns, in this order: motion_checks() of the coarse motion (at a resolution of ε times the duration), where the
 /// names of checks of pieces and rests begin with `coarse `; per axis `stroke <fine axis>` (|x − x_c|), `velocity <fine
-/// axis>`, `acceleration <fine axis>`, with check_jerk `jerk <fine axis>`; `coarse duration` (equal to the law's up to
+/// axis>`, `acceleration <fine axis>`, with order 3 `jerk <fine axis>`; `coarse duration` (equal to the law's up to
 /// rounding).
 ///
 /// Jumps. Where the fine axis moves by at most 1e-8 mm (least_stroke) all the time, because there is none or because it

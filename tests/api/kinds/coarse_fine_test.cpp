@@ -38,7 +38,7 @@ TEST(CoarseFine, ExampleMachinesAreThoseOfTheSource) {
       EXPECT_EQ(axis.fine.acceleration, 60000);
       EXPECT_EQ(axis.stroke, stroke);
     }
-    EXPECT_FALSE(machine.limits_jerk());
+    EXPECT_EQ(machine.limited_order(), 2);
   }
 }
 

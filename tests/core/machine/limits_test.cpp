@@ -19,6 +19,21 @@ TEST(Limits, AreOnePerDerivative) {
   EXPECT_EQ(limits.snap, 40);
 }
 
+TEST(Limits, AMotionKeepsThoseOfEveryAxisThatItMoves) {
+  Limits along{100, unlimited, 5000};
+  along.lower_to({60, 800, 5000, 9e4}, 0.5);
+  along.lower_to({90, 900});
+  EXPECT_EQ(along.velocity, 90);
+  EXPECT_EQ(along.acceleration, 900);
+  EXPECT_EQ(along.jerk, 5000);
+  EXPECT_EQ(along.snap, 18e4);
+  along.scale(2);
+  EXPECT_EQ(along.velocity, 180);
+  EXPECT_EQ(along.acceleration, 1800);
+  EXPECT_EQ(along.jerk, 1e4);
+  EXPECT_EQ(along.snap, 36e4);
+}
+
 TEST(Limits, RangesMayBeOpenAtOneEnd) {
   Limits limits;
   EXPECT_FALSE(limits.has_range());

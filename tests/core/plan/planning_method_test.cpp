@@ -16,11 +16,11 @@ TEST(PlanningMethods, EachHasARow) {
 TEST(PlanningMethods, ATrapezoidLimitsNoJerkWhereTheProfileDecides) {
   MethodOptions options;
   options.profile = SpeedProfile::trapezoid;
-  EXPECT_FALSE(method_row(PlanningMethod::constant, options).limits_jerk);
-  EXPECT_FALSE(method_row(PlanningMethod::critical_points, options).limits_jerk);
-  EXPECT_TRUE(method_row(PlanningMethod::jerk_limited, options).limits_jerk) << "it has no profile";
+  EXPECT_EQ(method_row(PlanningMethod::constant, options).order, 2);
+  EXPECT_EQ(method_row(PlanningMethod::critical_points, options).order, 2);
+  EXPECT_EQ(method_row(PlanningMethod::jerk_limited, options).order, 3) << "it has no profile";
   options.profile = SpeedProfile::double_s;
-  EXPECT_TRUE(method_row(PlanningMethod::constant, options).limits_jerk);
+  EXPECT_EQ(method_row(PlanningMethod::constant, options).order, 3);
 }
 
 TEST(PlanningMethods, JerkLimitsAreHeldByMethodsThatKnowJerk) {

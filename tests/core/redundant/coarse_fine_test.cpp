@@ -11,7 +11,7 @@ TEST(CoarseFine, TheToolMayDoWhatBothAxesMayTogether) {
   axis.coarse.lowest = 0;
   axis.coarse.highest = 1000;
   machine.axes = {axis};
-  EXPECT_FALSE(machine.limits_jerk());
+  EXPECT_EQ(machine.limited_order(), 2);
   const Machine sum = summed(machine);
   ASSERT_EQ(sum.axes.size(), 1u);
   EXPECT_EQ(sum.axes[0].name, "x");
@@ -21,7 +21,7 @@ TEST(CoarseFine, TheToolMayDoWhatBothAxesMayTogether) {
   EXPECT_EQ(sum.axes[0].lowest, -20);
   EXPECT_EQ(sum.axes[0].highest, 1020);
   machine.axes[0].coarse.jerk = 1e6;
-  EXPECT_TRUE(machine.limits_jerk());
+  EXPECT_EQ(machine.limited_order(), 3);
 }
 
 TEST(CoarseFine, TheHeadChangesItsAccelerationNoFasterThanTheSlowerAxisItsShare) {

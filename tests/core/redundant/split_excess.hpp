@@ -21,7 +21,7 @@ struct SplitExcess {
 inline SplitExcess split_excess(const RedundancyTask& task, const RedundancyResult& r) {
   SplitExcess e;
   const std::size_t axes = task.machine.axes.size();
-  const bool jerk = task.machine.limits_jerk();
+  const bool jerk = task.machine.limited_order() == 3;
   std::vector<double> limits;
   for (const CoarseFineAxis& a : task.machine.axes)
     for (const double limit : {a.coarse.velocity, a.coarse.acceleration, a.stroke, a.fine.velocity, a.fine.acceleration,

@@ -41,9 +41,9 @@ TimeLaw planned(const PathTask& task, Method method) {
 }
 
 Verification verdict(const AxisPath& path, const Contour& contour, const Machine& machine, const TimeLaw& law,
-                     bool jerk) {
+                     int order) {
   Progress progress;
-  return verify_motion({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, jerk}, progress);
+  return verify_motion({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, order}, progress);
 }
 
 std::string failed(const Verification& v) {
@@ -63,23 +63,22 @@ double& limit_of(Machine& machine, const Check& check) {
 /// A planned law, slowed by what its planner's own tolerance leaves, passes; with the limit that it uses most a
 /// millionth below its peak it fails in that check alone.
 void passes_and_fails(const AxisPath& path, const Contour& contour, Machine machine, Method method) {
-  const bool jerk = method == Method::jerk_limited;
+  const int order = method == Method::jerk_limited ? 3 : 2;
   TimeLaw law = planned(contour_task(path, contour, machine), method);
-  const std::size_t kinds = jerk ? 3 : 2;
   const auto largest_use = [&](const Verification& v) {
-    const auto axes = static_cast<std::ptrdiff_t>(kinds * machine.axes.size());
+    const auto axes = static_cast<std::ptrdiff_t>(order) * static_cast<std::ptrdiff_t>(machine.axes.size());
     return *std::max_element(v.checks.begin(), v.checks.begin() + axes,
                              [](const Check& a, const Check& b) { return a.value / a.limit < b.value / b.limit; });
   };
-  const Check before = largest_use(verdict(path, contour, machine, law, jerk));
+  const Check before = largest_use(verdict(path, contour, machine, law, order));
   EXPECT_LE(before.value / before.limit, 1 + 1e-8) << check_name(before);
   law = law.slowed(std::max(1.0, before.value / before.limit));
-  const Verification v = verdict(path, contour, machine, law, jerk);
+  const Verification v = verdict(path, contour, machine, law, order);
   EXPECT_TRUE(v.passed) << failed(v);
   const Check most = largest_use(v);
   EXPECT_GE(most.value / most.limit, 1 - 1e-3) << check_name(most);
   limit_of(machine, most) = most.value * (1 - 1e-6);
-  const Verification w = verdict(path, contour, machine, law, jerk);
+  const Verification w = verdict(path, contour, machine, law, order);
   EXPECT_FALSE(w.passed);
   for (const Check& c : w.checks) EXPECT_EQ(c.passed, check_name(c) != check_name(most)) << check_name(c);
 }
@@ -111,7 +110,7 @@ TEST(VerifierAxes, OneAxisByEveryPlanner) {
 std::size_t estimated(const AxisPath& path, const Contour& contour, const Machine& machine, const TimeLaw& law) {
   Progress progress;
   ProgressScope stage_progress(progress, "verify");
-  return verify::axis_peaks({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, true}, stage_progress)
+  return verify::axis_peaks({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, 3}, stage_progress)
       .estimated;
 }
 
@@ -129,8 +128,8 @@ TEST(VerifierAxes, PeaksOfFiveAxesAreProvenOrToldFrom) {
     const TimeLaw law = planned(contour_task(path, contour, machine), method);
     EXPECT_EQ(estimated(path, contour, machine, law), 0u);
     EXPECT_GT(estimated(same, contour, machine, law), 0u);
-    const Verification proven = verdict(path, contour, machine, law, true),
-                       guessed = verdict(same, contour, machine, law, true);
+    const Verification proven = verdict(path, contour, machine, law, 3),
+                       guessed = verdict(same, contour, machine, law, 3);
     for (std::size_t i = 0; i < proven.checks.size(); ++i)
       // Peaks are resolved to 2e-11 of themselves where they exceed the limit, as jerk does that is not limited.
       EXPECT_NEAR(proven.checks[i].value, guessed.checks[i].value,
@@ -223,7 +222,7 @@ TEST(VerifierAxes, PeaksNextToAVanishingTangentAreProven) {
     machine.axes = {{"x", dense[0], dense[2], dense[4]}, {"y", dense[1], dense[3], dense[5]}};
     const CartesianAxisPath path(contour.path, 2);
     EXPECT_EQ(estimated(path, contour, machine, law), 0u);
-    const Verification v = verdict(path, contour, machine, law, true);
+    const Verification v = verdict(path, contour, machine, law, 3);
     for (std::size_t c = 0; c < 6; ++c) {
       EXPECT_GE(v.checks[c].value, dense[c] * (1 - 1e-9)) << check_name(v.checks[c]);
       EXPECT_LE(v.checks[c].value, dense[c] * (1 + 1e-6)) << check_name(v.checks[c]);
@@ -243,7 +242,7 @@ TEST(VerifierAxes, NoAxisIsLeftOut) {
       Machine less = machine;
       AxisLimits& axis = less.axes[k];
       axis.of(order) *= 1e-3;
-      const Verification v = verdict(path, contour, less, law, true);
+      const Verification v = verdict(path, contour, less, law, 3);
       const Check* check = v.find(quantity::axis, order, axis.name);
       ASSERT_NE(check, nullptr) << order << k;
       EXPECT_FALSE(check->passed) << check_name(*check);
@@ -372,7 +371,7 @@ TEST(VerifierAxes, PeaksOnRandomRationalsEncloseTheDenseOnes) {
     Machine machine;
     machine.axes = {{"x", dense[0], dense[2], dense[4]}, {"y", dense[1], dense[3], dense[5]}};
     Progress progress;
-    const Verification v = verify_motion({contour, machine, law, 1e-3, true}, progress);
+    const Verification v = verify_motion({contour, machine, law, 1e-3, 3}, progress);
     const CartesianAxisPath path(contour.path, 2);
     EXPECT_EQ(estimated(path, contour, machine, law), 0u) << round;
     for (std::size_t c = 0; c < 6; ++c) {

@@ -18,9 +18,9 @@ namespace bahnwerk::reference {
 inline constexpr double corner_angle = 0.1 * std::numbers::pi / 180;
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-inline Verification verdict(const Contour& contour, const Machine& m, const TimeLaw& law, bool jerk = false) {
+inline Verification verdict(const Contour& contour, const Machine& m, const TimeLaw& law, int order = 2) {
   Progress silent;
-  return verify_motion({contour, m, law, corner_angle, jerk}, silent);
+  return verify_motion({contour, m, law, corner_angle, order}, silent);
 }
 inline const Check& find(const Verification& v, const std::string& name) {
   for (const Check& c : v.checks)

@@ -58,7 +58,7 @@ Verification verdict(const Contour& contour, const TimeLaw& law, double path_acc
                      double path_jerk = unlimited) {
   Progress silent;
   const Machine m = machine();
-  ContourVerifierInput input{contour, m, law, 1e-3, true};
+  ContourVerifierInput input{contour, m, law, 1e-3, 3};
   input.path.acceleration = path_acceleration;
   input.path.jerk = path_jerk;
   return verify_motion(input, silent);
@@ -159,7 +159,7 @@ TEST(VerifierJerk, PathSnapIsTheLargestOfAnyPiece) {
   const Machine m = machine();
   for (const double share : {0.999, 1.001}) {
     Progress silent;
-    ContourVerifierInput input{contour, m, law, 1e-3, true};
+    ContourVerifierInput input{contour, m, law, 1e-3, 3};
     input.path.snap = share * snap;
     const Verification v = verify_motion(input, silent);
     const Check* check = v.find(quantity::path, 4);

@@ -67,7 +67,7 @@ TEST(ConstantFeed, RestsWhereTheTaskDoes) {
   test::FeedProblem problem({30, 40, 50}, {0.8, -1.2}, 8);
   problem.task->rests[2] = true;
   const TimeLaw law = planned(problem, {});
-  EXPECT_EQ(test::faults(problem, law, {}, true, 1e-4), "");
+  EXPECT_EQ(test::faults(problem, law, {}, 3, 1e-4), "");
   bool rested = false;
   for (const LawPiece& piece : law.pieces()) rested = rested || (piece.segment == 2 && piece.v == 0);
   EXPECT_TRUE(rested);

@@ -31,7 +31,7 @@ TEST(FeedLimits, ValuesOnACircleAreKnown) {
 
   // Without the places where x or y is slowest: only the jerk at the middle of this part is left of x.
   FeedGridOptions no_jerk;
-  no_jerk.limits_jerk = false;
+  no_jerk.order = 2;
   EXPECT_GE(grid_of(task, no_jerk).hold(0).speed, grid.hold(0).speed);
 
   task.feeds[0] = 3;

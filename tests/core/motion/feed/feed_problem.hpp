@@ -78,11 +78,11 @@ struct FeedProblem {
 };
 
 /// What is not verified of a law; limits exceeded by up to `excess` of them count as kept.
-inline std::string faults(const FeedProblem& problem, const TimeLaw& law, const Limits& along, bool jerk,
+inline std::string faults(const FeedProblem& problem, const TimeLaw& law, const Limits& along, int order,
                           double excess = 0) {
   VerifierInput input{*problem.axes, problem.machine, law, problem.task->feeds, problem.task->rests};
   input.corner_angle = FeedOptions{}.corner_angle;
-  input.check_jerk = jerk;
+  input.order = order;
   input.along = along;
   Progress progress;
   std::string list;
@@ -96,13 +96,13 @@ inline std::string faults(const FeedProblem& problem, const TimeLaw& law, const 
 /// Planned on ever finer grids until a law is verified but for what counts as rounding, as the pipeline does.
 template <class Plan>
 TimeLaw verified(const FeedProblem& problem, FeedOptions options, Plan&& plan, const std::string& what) {
-  const bool jerk = speed_profile_row(options.profile).limits_jerk;
+  const int order = speed_profile_row(options.profile).order;
   Limits along = options.path;
-  if (!jerk) along.jerk = unlimited;
+  if (order == 2) along.jerk = unlimited;
   for (int attempt = 1;; ++attempt, options.nodes *= 2) {
     Progress progress;
     TimeLaw law = plan(*problem.task, options, progress);
-    const std::string wrong = faults(problem, law, along, jerk, 1e-4);
+    const std::string wrong = faults(problem, law, along, order, 1e-4);
     if (wrong.empty()) return law;
     if (attempt < 4) continue;
     ADD_FAILURE() << what << ": " << wrong;

@@ -30,7 +30,7 @@ TEST(SplineFeed, IsNearTheShortestMoveOnALine) {
   Limits along;
   along.velocity = 100, along.acceleration = 400, along.jerk = 3000;
   const TimeLaw law = planned(problem, along);
-  EXPECT_EQ(test::faults(problem, law, along, true, 1e-4), "");
+  EXPECT_EQ(test::faults(problem, law, along, 3, 1e-4), "");
   const double change = 100.0 / 400 + 400.0 / 3000, least = 2 * change + (200 - 100 * change) / 100;
   EXPECT_GE(law.duration(), least * (1 - 1e-9));
   EXPECT_LE(law.duration(), 1.15 * least);
@@ -43,7 +43,7 @@ TEST(SplineFeedProperty, IsVerifiedAndNoQuickerThanTheOptimum) {
     for (int i = 0; i < 3; ++i) legs.push_back(random.uniform(20, 60)), turns.push_back(random.uniform(-1.5, 1.5));
     const test::FeedProblem problem(legs, turns, random.uniform(5, 15));
     const TimeLaw law = planned(problem);
-    EXPECT_EQ(test::faults(problem, law, {}, true, 1e-4), "") << n;
+    EXPECT_EQ(test::faults(problem, law, {}, 3, 1e-4), "") << n;
     const double least = optimum(problem);
     EXPECT_GE(law.duration(), least * (1 - 1e-6)) << n;
     EXPECT_LE(law.duration(), least * 1.35) << n;

@@ -26,7 +26,7 @@ Machine machine(double jerk, double acceleration = 16000, double velocity = 1800
 TimeLaw law(const Contour& contour, const Machine& m, const JerkLimitedOptions& options = {}) {
   Progress progress;
   TimeLaw result = plan_jerk_limited(contour, m, options, progress).law;
-  ContourVerifierInput input{contour, m, result, options.corner_angle, true};
+  ContourVerifierInput input{contour, m, result, options.corner_angle, 3};
   input.path = options.path;
   for (const Check& check : verify_motion(input, progress).checks)
     EXPECT_TRUE(check.passed) << check_name(check) << ' ' << check.value << " > " << check.limit;

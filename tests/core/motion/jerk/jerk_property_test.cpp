@@ -73,7 +73,7 @@ TEST_P(JerkProperty, NoLimitIsViolated) {
     const Problem p = random_problem(seed);
     const Contour contour = testing::build(p.outline);
     const TimeLaw law = plan_jerk_limited(contour, p.machine, p.options, progress).law;
-    ContourVerifierInput input{contour, p.machine, law, p.options.corner_angle, true};
+    ContourVerifierInput input{contour, p.machine, law, p.options.corner_angle, 3};
     input.path = p.options.path;
     for (const Check& check : verify_motion(input, progress).checks)
       ASSERT_TRUE(check.passed) << "seed " << seed << ": " << check_name(check) << ' ' << check.value << " > "

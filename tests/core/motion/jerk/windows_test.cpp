@@ -62,7 +62,7 @@ double verified(const Contour& contour, const Machine& m, JerkLimitedOptions opt
   Progress progress;
   options.window = window;
   const TimeLaw law = plan_jerk_limited(contour, m, options, progress).law;
-  ContourVerifierInput input{contour, m, law, options.corner_angle, true};
+  ContourVerifierInput input{contour, m, law, options.corner_angle, 3};
   input.path = options.path;
   for (const Check& check : verify_motion(input, progress).checks)
     EXPECT_TRUE(check.passed) << window << ": " << check_name(check) << ' ' << check.value << " > " << check.limit;

@@ -146,7 +146,7 @@ TEST(LawExcessProperty, IsWhatTheVerifierFinds) {
     }
     driven.law.slow(driven.excess());
     VerifierInput input{*driven.axes, driven.machine, driven.law, {unlimited}, driven.rests};
-    input.check_jerk = true;
+    input.order = 3;
     Progress silent;
     double most = 0;
     for (const Check& check : verify_motion(input, silent).checks) {

@@ -88,7 +88,7 @@ TEST(NaturalLaw, KeepsTheLimitsAndReachesOne) {
     const std::vector<double> feeds(3, unlimited);
     const auto worst = [&] {
       VerifierInput input{problem.axes, problem.machine, law, feeds, problem.task.rests};
-      input.check_jerk = true;
+      input.order = 3;
       Progress progress;
       double most = 0;
       for (const Check& check : verify_motion(input, progress).checks)

@@ -67,7 +67,7 @@ double magnitude(Random& random, double low, double high) {
 TEST(ProfileOptimality, NoMotionCoversMoreDistanceInEqualTime) {
   Random random(51);
   for (int run = 0; run < 20000; ++run) {
-    ProfileLimits l{magnitude(random, 1e-3, 1e3), magnitude(random, 1e-3, 1e3), magnitude(random, 1e-3, 1e3)};
+    Limits l{magnitude(random, 1e-3, 1e3), magnitude(random, 1e-3, 1e3), magnitude(random, 1e-3, 1e3)};
     if (random.chance(0.2)) l.jerk = unlimited;
     if (random.chance(0.2) && l.jerk < unlimited) l.acceleration = unlimited;
     const double v0 = random.chance(0.3) ? 0 : l.velocity * random.uniform();
@@ -85,7 +85,7 @@ TEST(ProfileOptimality, NoMotionCoversLessDistanceInEqualTime) {
   Random random(52);
   int dips = 0;
   for (int run = 0; run < 20000; ++run) {
-    ProfileLimits l{unlimited, magnitude(random, 1e-3, 1e3), magnitude(random, 1e-3, 1e3)};
+    Limits l{unlimited, magnitude(random, 1e-3, 1e3), magnitude(random, 1e-3, 1e3)};
     if (random.chance(0.3)) l.acceleration = unlimited;
     double v0 = magnitude(random, 1e-3, 1e3), v1 = v0 * magnitude(random, 1, 1e6);
     if (random.chance(0.5)) std::swap(v0, v1);
@@ -113,7 +113,7 @@ TEST(ProfileOptimality, BeatsEveryMotionOnALattice) {
     const int A = 1 + static_cast<int>(random.below(4)), V = 2 + static_cast<int>(random.below(19)), steps = 24;
     const int v0 = static_cast<int>(random.below(static_cast<std::uint64_t>(V) + 1));
     const int v1 = random.chance(0.3) ? v0 : static_cast<int>(random.below(static_cast<std::uint64_t>(V) + 1));
-    const ProfileLimits l{static_cast<double>(V), static_cast<double>(A), 1};
+    const Limits l{static_cast<double>(V), static_cast<double>(A), 1};
     const auto speeds = static_cast<std::size_t>(2 * V + 1), width = static_cast<std::size_t>(2 * A + 1);
     struct Reach {
       int least, most;  // distance in sixths
@@ -160,8 +160,8 @@ TEST(ProfileOptimality, ShallowestDip) {
   Random random(54);
   int dips = 0;
   for (int run = 0; run < 40000; ++run) {
-    const ProfileLimits l{unlimited, magnitude(random, 1e-2, 1e2),
-                          random.chance(0.3) ? unlimited : magnitude(random, 1e-2, 1e2), magnitude(random, 1e-2, 1e2)};
+    const Limits l{unlimited, magnitude(random, 1e-2, 1e2),
+                   random.chance(0.3) ? unlimited : magnitude(random, 1e-2, 1e2), magnitude(random, 1e-2, 1e2)};
     double v0 = magnitude(random, 1e-2, 1e2), v1 = v0 * magnitude(random, 1, 1e3);
     if (random.chance(0.5)) std::swap(v0, v1);
     const double direct = direct_distance(v0, v1, l), least = min_distance(v0, v1, l);

@@ -18,7 +18,7 @@ double magnitude(Random& random, double low = 1e-6, double high = 1e6) {
 
 struct Case {
   double length, v0, v1;
-  ProfileLimits limits;
+  Limits limits;
 };
 
 /// Limits, speeds and lengths of 1e-6 … 1e6 and of every kind; a third of the lengths just above the direct change,
@@ -69,7 +69,7 @@ Case random_case(Random& random) {
 
 /// Joints, ends and limits of a move, to 1e-12 of its own size.
 void expect_sound(const Case& c, const Profile& p) {
-  const ProfileLimits& l = c.limits;
+  const Limits& l = c.limits;
   const double s1 = 1e-12 * c.length, v1 = 1e-12 * p.peak_speed, a1 = 1e-12 * p.peak_acceleration;
   const double j1 = l.snap < unlimited ? 1e-12 * p.peak_jerk : unlimited;
   const double a_joint = l.snap < unlimited || l.jerk < unlimited ? a1 : unlimited;
@@ -146,7 +146,7 @@ TEST(ProfileProperty, Scales) {
     const Case c = random_case(random);
     if (c.length < direct_distance(c.v0, c.v1, c.limits)) continue;  // dips are sensitive to the last bit of length
     const double x = 8, t = 0.5;                                     // new units of length and time
-    const ProfileLimits& l = c.limits;
+    const Limits& l = c.limits;
     const double v = x / t, a = v / t, j = a / t, s = j / t;
     const Profile p = straight_profile(c.length, c.v0, c.v1, l);
     const Profile q = straight_profile(c.length * x, c.v0 * v, c.v1 * v,
@@ -181,9 +181,8 @@ TEST(ProfileProperty, Monotone) {
               T)
         << text(c);
     const double more = 1 + magnitude(random, 1e-12, 10);
-    for (double ProfileLimits::*limit :
-         {&ProfileLimits::velocity, &ProfileLimits::acceleration, &ProfileLimits::jerk, &ProfileLimits::snap}) {
-      ProfileLimits stronger = c.limits;
+    for (double Limits::*limit : {&Limits::velocity, &Limits::acceleration, &Limits::jerk, &Limits::snap}) {
+      Limits stronger = c.limits;
       stronger.*limit *= more;
       ASSERT_LE(straight_profile(c.length, c.v0, c.v1, stronger).duration, T * margin) << text(c);
     }
@@ -194,12 +193,12 @@ TEST(ProfileProperty, Monotone) {
 TEST(ProfileProperty, FarLimitsDoNotCount) {
   Random random(45);
   for (int run = 0; run < testing::cases(20000); ++run) {
-    ProfileLimits l{magnitude(random, 0.1, 10), magnitude(random, 0.1, 10), unlimited, unlimited};
+    Limits l{magnitude(random, 0.1, 10), magnitude(random, 0.1, 10), unlimited, unlimited};
     const double v0 = l.velocity * random.uniform(), v1 = random.chance(0.3) ? v0 : l.velocity * random.uniform();
     const double length = direct_distance(v0, v1, l) * (1 + random.uniform()) + magnitude(random, 0.01, 10);
-    auto T = [&](const ProfileLimits& x) { return straight_profile(length, v0, v1, x).duration; };
+    auto T = [&](const Limits& x) { return straight_profile(length, v0, v1, x).duration; };
     const double trapezoid = T(l);
-    ProfileLimits stiff = l;
+    Limits stiff = l;
     stiff.jerk = 1e9;
     ASSERT_NEAR(T(stiff), trapezoid, 2e-7 * (1 + trapezoid));
     l.jerk = magnitude(random, 10, 100);
@@ -232,8 +231,8 @@ TEST(ProfileProperty, ContinuousAcrossTheCases) {
     auto duration = [&](double x) {
       auto at = [&](double Move::*field) { return (1 - x) * a.*field + x * b.*field; };
       const double v0 = at(&Move::low), v1 = v0 + at(&Move::rise);
-      const ProfileLimits l{v1 + at(&Move::velocity) - 0.1, at(&Move::acceleration), jerk ? at(&Move::jerk) : unlimited,
-                            snap ? at(&Move::snap) : unlimited};
+      const Limits l{v1 + at(&Move::velocity) - 0.1, at(&Move::acceleration), jerk ? at(&Move::jerk) : unlimited,
+                     snap ? at(&Move::snap) : unlimited};
       const double length = direct_distance(v0, v1, l) + at(&Move::spare);
       return straight_profile(length, backwards ? v1 : v0, backwards ? v0 : v1, l).duration;
     };

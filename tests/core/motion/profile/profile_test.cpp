@@ -17,7 +17,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-double duration(double length, const ProfileLimits& limits) { return straight_profile(length, 0, 0, limits).duration; }
+double duration(double length, const Limits& limits) { return straight_profile(length, 0, 0, limits).duration; }
 
 TEST(Profile, TrapezoidByHand) {
   const Profile p = straight_profile(100, 0, 0, {10, 5});
@@ -67,7 +67,7 @@ TEST(Profile, DurationIsContinuousAtTheBordersOfTheCases) {
 }
 
 TEST(Profile, DirectChange) {
-  const ProfileLimits limits{100, 5, 20, 50};
+  const Limits limits{100, 5, 20, 50};
   for (const auto& [v0, v1] : {std::pair{1.0, 30.0}, std::pair{30.0, 1.0}, std::pair{0.0, 0.2}}) {
     const double least = direct_distance(v0, v1, limits);
     const Profile p = straight_profile(least, v0, v1, limits);
@@ -82,7 +82,7 @@ TEST(Profile, DirectChange) {
 /// From 1 to 100 mm/s with jerk alone limited the direct change takes 50.5·2√99 = 1005 mm, braking to rest first only
 /// 1 + 1000.
 TEST(Profile, DipsWhereTheDirectChangeIsTooLong) {
-  const ProfileLimits limits{200, unlimited, 1};
+  const Limits limits{200, unlimited, 1};
   EXPECT_DOUBLE_EQ(direct_distance(1, 100, limits), 101 * std::sqrt(99.0));
   EXPECT_DOUBLE_EQ(min_distance(1, 100, limits), 1001);
   EXPECT_DOUBLE_EQ(min_distance(100, 1, limits), 1001);
@@ -122,7 +122,7 @@ TEST(Profile, TooShortSaysHowMuchIsNeeded) {
   EXPECT_NO_THROW(straight_profile(10 * (1 - 1e-13), 3, 13, {20, 8}));
 }
 
-std::vector<std::string> place_of_fault(double length, double v0, double v1, const ProfileLimits& limits) {
+std::vector<std::string> place_of_fault(double length, double v0, double v1, const Limits& limits) {
   try {
     straight_profile(length, v0, v1, limits);
   } catch (const InvalidInput& e) {

@@ -13,7 +13,7 @@ namespace {
 TEST(Straight, AlongADirectionTheTightestAxisCounts) {
   ProbeProblem p = probe_cases::problem({{0, 0}, {3, 4}}, 0);
   p.machine.axes[0].acceleration = 60, p.machine.axes[1].jerk = 80;
-  const ProfileLimits limits = limits_along(p, {0.6, 0.8});
+  const Limits limits = limits_along(p, {0.6, 0.8});
   EXPECT_DOUBLE_EQ(limits.acceleration, 100);
   EXPECT_DOUBLE_EQ(limits.jerk, 100);
   EXPECT_DOUBLE_EQ(limits.snap, 250000);

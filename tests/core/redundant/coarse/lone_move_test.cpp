@@ -47,7 +47,7 @@ void expect_held(const Contour& contour, const CoarseFineMachine& machine) {
   const MotionState end = coarse.in_piece(head.pieces() - 1, head.duration());
   for (std::size_t k = 0; k < machine.axes.size(); ++k) {
     EXPECT_NEAR(end[1][k], 0, 1e-11 * machine.axes[k].coarse.velocity);
-    if (machine.limits_jerk()) {
+    if (machine.limited_order() == 3) {
       EXPECT_NEAR(end[2][k], 0, 1e-14 * machine.axes[k].coarse.acceleration);
     }
   }

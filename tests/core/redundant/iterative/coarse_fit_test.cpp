@@ -75,7 +75,7 @@ TEST(CoarseFit, ProgramsHoldLimitsInBothForms) {
 
 TEST(CoarseFit, BeginsWhereItIsTold) {
   CoarseTask task = task_of(1, 1001, 20, wave);
-  task.begin = {12, -150, 900, true};
+  task.begin = {12, -150, 900, 3};
   CoarseFitOptions o;
   o.degree = 4;
   for (const auto& smoothing : coarse_smoothings) {

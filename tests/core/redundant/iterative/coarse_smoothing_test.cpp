@@ -59,7 +59,7 @@ TEST(CoarseFit, LeastSquaresAreSmoothedAsFarAsTheLimitsNeedAndTheToleranceAllows
 /// The integral is summed by midpoints.
 TEST(CoarseSmoothing, TheEnergyIsTheIntegralOfTheSquaredAcceleration) {
   CoarseTask task = task_of(1, 101, 1, wave);
-  task.begin = {5, 30, 0, false};
+  task.begin = {5, 30, 0};
   const FitRows fit(task, 3, clamped(3, {0.3, 0.5, 0.8}));
   std::vector<double> linear, y(fit.ends.variables()), product(y.size(), 0);
   const SymmetricBand<> matrix = bahnwerk::energy(fit, linear);

@@ -22,7 +22,7 @@ std::vector<double> any_variables(const FitRows& fit) {
 
 TEST(FitRows, ErrorsAreTheSplineLessTheSamples) {
   CoarseTask task = task_of(1, 101, 1, wave);
-  task.begin = {3, 40, -500, true};
+  task.begin = {3, 40, -500, 3};
   const FitRows fit(task, 4, clamped(4, {0.2, 0.4, 0.6, 0.8}));
   const std::vector<double> y = any_variables(fit), controls = fit.ends.controls(y);
   double most = 0;

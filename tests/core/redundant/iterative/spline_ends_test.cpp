@@ -12,10 +12,10 @@ namespace {
 TEST(SplineEnds, HoldWhateverTheVariablesAre) {
   Random random(1);
   for (std::size_t degree = 2; degree <= 5; ++degree)
-    for (const bool with_acceleration : {false, true}) {
-      if (with_acceleration && degree < 3) continue;
+    for (const int order : {2, 3}) {
+      if (order == 3 && degree < 3) continue;
       const SplineSpace space(degree, test::random_knots(random, degree, 6, 1, 2));
-      const SplineBegin begin{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), with_acceleration};
+      const SplineBegin begin{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), order};
       const SplineEnds ends(space, begin);
       std::vector<double> y(ends.variables());
       for (double& v : y) v = random.uniform(-1, 1);
@@ -27,15 +27,15 @@ TEST(SplineEnds, HoldWhateverTheVariablesAre) {
       EXPECT_NEAR(a.x, begin.position, 1e-13);
       EXPECT_NEAR(a.v, begin.velocity, 1e-11);
       EXPECT_NEAR(b.v, 0, 1e-11);
-      if (with_acceleration) {
+      if (order == 3) {
         EXPECT_NEAR(a.a, begin.acceleration, 1e-9);
         EXPECT_NEAR(b.a, 0, 1e-9);
       }
       // Rows of variables are rows of control points.
       std::size_t span = 0;
       for (int i = 0; i <= 40; ++i)
-        for (std::size_t order = 0; order <= 2; ++order) {
-          const SplineRow row = space.at(0.05 * i, order, span);
+        for (std::size_t derivative = 0; derivative <= 2; ++derivative) {
+          const SplineRow row = space.at(0.05 * i, derivative, span);
           const VariableRow reduced = ends.reduced(row);
           double sum = 0, own = reduced.offset;
           for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * d[row.first + r];
@@ -53,7 +53,7 @@ TEST(SplineEnds, TakeSomeControlPoints) {
 TEST(SplineEnds, EndsAtRestWhereItIsTold) {
   const SplineSpace space(3, {0, 0, 0, 0, 0.5, 1, 1.5, 2, 2, 2, 2});
   for (const bool accelerated : {false, true}) {
-    SplineBegin begin{1, 2, accelerated ? 3.0 : 0, accelerated, {}};
+    SplineBegin begin{1, 2, accelerated ? 3.0 : 0, accelerated ? 3 : 2, {}};
     const std::size_t free = SplineEnds(space, begin).variables();
     begin.end = 7;
     const SplineEnds ends(space, begin);

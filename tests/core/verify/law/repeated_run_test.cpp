@@ -75,9 +75,9 @@ TEST_F(RepeatedRunsOfASheet, RunOnAnotherArcIsNotRepeated) {
 
 // What is too fast on the last hole alone is found.
 TEST_F(RepeatedRunsOfASheet, AFaultOnOneHoleShows) {
-  reference::expect_failed(reference::verdict(contour, m, law, true), {});
+  reference::expect_failed(reference::verdict(contour, m, law, 3), {});
   const TimeLaw spoiled = reference::edited(law, inside(), [](LawPiece& p) { p.j += 2.5e6; });
-  const Verification v = reference::verdict(contour, m, spoiled, true);
+  const Verification v = reference::verdict(contour, m, spoiled, 3);
   EXPECT_FALSE(v.passed);
   EXPECT_TRUE(!reference::find(v, "jerk x").passed || !reference::find(v, "jerk y").passed);
 }

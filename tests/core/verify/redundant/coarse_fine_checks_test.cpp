@@ -30,13 +30,13 @@ struct Case {
   std::vector<SplineMotion::Piece> coarse;
   std::vector<AxisLimits> coarse_axes = limits("c", 1e4, 1e5, unlimited, unlimited);
   std::vector<AxisLimits> fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
-  bool jerk = false;
+  int order = 2;
   double cycle_time = 0;
 
   std::vector<Check> checks() const {
     const SplineMotion motion(coarse);
     CoarseFineToVerify input{*path, law, motion, coarse_axes, fine_axes};
-    input.check_jerk = jerk;
+    input.order = order;
     input.cycle_time = cycle_time;
     Progress progress;
     return coarse_fine_checks(input, progress);
@@ -141,7 +141,7 @@ TEST(CoarseFineChecks, OnACirclePolynomialsAreTakenAway) {
 
 TEST(CoarseFineChecks, JerkIsHeldWhereItIsAskedFor) {
   Case c = circle();
-  c.jerk = true;
+  c.order = 3;
   c.fine_axes = limits("f", 1e4, 1e6, 200.0 * 200 * 200 / 64 * (1 - 1e-6), 100);
   EXPECT_FALSE(find(c.checks(), "jerk xf").passed);
   c.fine_axes = limits("f", 1e4, 1e6, 200.0 * 200 * 200 / 64 * (1 + 1e-6), 100);
