@@ -6,15 +6,11 @@
 #include <string>
 
 #include "core/base/verification.hpp"
+#include "core/machine/limits.hpp"
 
 namespace bahnwerk::api {
 
 namespace text {
-
-inline const char* derivative(int order) {
-  constexpr std::array names{"position", "velocity", "acceleration", "jerk", "snap"};
-  return names.at(static_cast<std::size_t>(order));
-}
 
 /// Returns the name of a check without its subject.
 inline std::string general_name(const Checked& what, double limit) {
@@ -24,7 +20,7 @@ inline std::string general_name(const Checked& what, double limit) {
     char number[32];
     std::snprintf(number, sizeof number, "%.10g", limit);
     if (letter == '%' || letter == '#')
-      name += letter == '%' ? derivative(what.order) : number;
+      name += letter == '%' ? derivative_name(what.order) : number;
     else
       name += letter;
   }

@@ -11,8 +11,7 @@ void take_limits(const nlohmann::json& object, Limits& limits, double unit) {
     return at == object.end() || at->is_null() ? nullptr : &*at;
   };
   for (int order = 1; order <= Limits::highest_order; ++order)
-    if (const auto* value = given(derivative_names[static_cast<std::size_t>(order)]))
-      limits.of(order) = unit * value->get<double>();
+    if (const auto* value = given(derivative_name(order))) limits.of(order) = unit * value->get<double>();
   if (const auto* range = given("range"))
     limits.lowest = unit * range->at(0).get<double>(), limits.highest = unit * range->at(1).get<double>();
 }

@@ -20,7 +20,7 @@ void declare_axes(DeclaredLimits& list, const Machine& machine) {
     for (const AxisLimits& axis : machine.axes) {
       const double limit = axis.of(order);
       if (!std::isfinite(limit) || !(limit > 0)) continue;
-      list.push_back({std::string(derivative_names[r]) + " " + axis.name, axis.unit + std::string(per_time[r]),
+      list.push_back({std::string(derivative_name(order)) + " " + axis.name, axis.unit + std::string(per_time[r]),
                       axis.name, order, within(limit)});
     }
   }
@@ -31,7 +31,7 @@ void declare_path(DeclaredLimits& list, const Limits& along) {
     const double limit = along.of(order);
     if (!std::isfinite(limit) || !(limit > 0)) continue;
     const auto r = static_cast<std::size_t>(order);
-    const std::string name = order == 1 ? "feed" : "path " + std::string(derivative_names[r]);
+    const std::string name = order == 1 ? "feed" : "path " + std::string(derivative_name(order));
     list.push_back({name, "mm" + std::string(per_time[r]), "", order, within(limit)});
   }
 }

@@ -8,8 +8,21 @@
 namespace bahnwerk {
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// The derivatives of a position by their order.
-inline constexpr std::array derivative_names{"position", "velocity", "acceleration", "jerk", "snap"};
+/// Returns the name of a derivative of a position, orders 0 to 4.
+constexpr const char* derivative_name(int order) {
+  switch (order) {
+    case 0:
+      return "position";
+    case 1:
+      return "velocity";
+    case 2:
+      return "acceleration";
+    case 3:
+      return "jerk";
+    default:
+      return "snap";
+  }
+}
 
 /// Largest magnitudes, in the axis' unit (mm for a linear axis, rad for a rotary one) and s; infinite: not limited.
 struct Limits {

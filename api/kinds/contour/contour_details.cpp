@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "api/check_text.hpp"
+#include "core/machine/limits.hpp"
 #include "core/plan/planning_method.hpp"
 
 namespace bahnwerk::api::contour {
@@ -26,9 +26,9 @@ std::string name(const ActiveLimit& limit) {
     case ActiveLimit::Kind::feed:
       return "feed";
     case ActiveLimit::Kind::axis:
-      return std::string(text::derivative(limit.order)) + " " + limit.axis;
+      return std::string(derivative_name(limit.order)) + " " + limit.axis;
     case ActiveLimit::Kind::path:
-      return std::string("path ") + text::derivative(limit.order);
+      return std::string("path ") + derivative_name(limit.order);
     case ActiveLimit::Kind::dwell:
       return "dwell";
   }

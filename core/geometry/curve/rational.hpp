@@ -5,6 +5,7 @@
 /// neither large coordinates nor a parameter far from 0 cost digits. Power-basis rounding grows like 2.4ⁿ ε at worst
 /// (degree 5: 80 ε, degree 16: 1e6 ε), and with the ratio of the weights. Evaluation is Horner's scheme with
 /// derivatives; its cost is measured by tests/bench/bench_curve.cpp.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -72,8 +73,15 @@ class Rational final : public Curve {
   Vec numerator(std::size_t k) const {
     return {c_[k * stride_], c_[k * stride_ + 1], stride_ == 4 ? c_[k * 4 + 2] : 0.0};
   }
-  static Rational build(const Polynomial (&numerator)[3], const Polynomial& weight, Vec origin, double u0, double u1,
-                        double pivot, double reach, double noise);
+  /// Where a piece lies in its parameter: on [begin, end], expanded about `pivot`.
+  struct Domain {
+    double begin = 0, end = 1, pivot = 0.5;
+    double reach() const { return std::max(end - pivot, pivot - begin); }
+  };
+  Domain domain() const { return {begin_, end_, pivot_}; }
+  /// Returns origin + numerator/weight; `noise` is that of noise().
+  static Rational build(const Polynomial (&numerator)[3], const Polynomial& weight, Vec origin, const Domain& domain,
+                        double noise);
 
   double pivot_ = 0, inverse_ = 1, reach_ = 1, begin_ = 0, end_ = 1;
   Vec origin_;

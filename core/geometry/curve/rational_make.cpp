@@ -26,14 +26,14 @@ bool usable(double x) { return std::abs(x) <= largest; }  // false for NaN
 
 }  // namespace
 
-Rational Rational::build(const Polynomial (&numerator)[3], const Polynomial& weight, Vec origin, double u0, double u1,
-                         double pivot, double reach, double noise) {
+Rational Rational::build(const Polynomial (&numerator)[3], const Polynomial& weight, Vec origin, const Domain& domain,
+                         double noise) {
   Rational r;
-  r.pivot_ = pivot;
-  r.reach_ = reach;
-  r.inverse_ = 1 / reach;
-  r.begin_ = u0;
-  r.end_ = u1;
+  r.pivot_ = domain.pivot;
+  r.reach_ = domain.reach();
+  r.inverse_ = 1 / r.reach_;
+  r.begin_ = domain.begin;
+  r.end_ = domain.end;
   r.origin_ = origin;
   r.noise_ = noise;
   r.rational_ = weight.size() > 1;
@@ -88,7 +88,7 @@ Rational Rational::from_power_basis(const std::vector<std::vector<double>>& rows
     p[0] = 0;
     n[i] = std::move(p);
   }
-  return build(n, {1.0}, origin, 0, 1, 0.5, 0.5, noise);
+  return build(n, {1.0}, origin, {}, noise);
 }
 
 Rational Rational::bezier(const std::vector<Vec>& points, const std::vector<double>& weights) {
@@ -136,11 +136,12 @@ Rational Rational::bezier(const std::vector<Vec>& points, const std::vector<doub
     n[axis][0] = 0;
     origin[axis] += middle;
   }
-  return build(n, w, origin, 0, 1, 0.5, 0.5, noise);
+  return build(n, w, origin, {}, noise);
 }
 
 Rational Rational::restricted(double u0, double u1, double pivot, std::size_t vanishing) const {
-  const double reach = std::max(u1 - pivot, pivot - u0), at = (pivot - pivot_) * inverse_, scale = reach * inverse_;
+  const Domain part{u0, u1, pivot};
+  const double at = (pivot - pivot_) * inverse_, scale = part.reach() * inverse_;
   Polynomial w = shifted(weight(), at, scale), n[3];
   const double normal = 1 / w[0];
   w = normal * w;
@@ -153,7 +154,7 @@ Rational Rational::restricted(double u0, double u1, double pivot, std::size_t va
     origin[axis] += value;
     for (std::size_t k = 0; k <= std::min(vanishing, n[axis].size() - 1); ++k) n[axis][k] = 0;
   }
-  Rational r = build(n, w, origin, u0, u1, pivot, reach, noise_);
+  Rational r = build(n, w, origin, part, noise_);
   r.vanishing_ = vanishing;
   return r;
 }
@@ -165,7 +166,7 @@ Rational Rational::mapped(const std::array<Vec, 3>& rows, Vec offset) const {
     for (std::size_t k = 0; k <= degree_; ++k) n[axis].push_back(dot(rows[axis], numerator(k)));
     origin[axis] += dot(rows[axis], origin_);
   }
-  Rational r = build(n, weight(), origin, begin_, end_, pivot_, reach_, noise_);
+  Rational r = build(n, weight(), origin, domain(), noise_);
   r.vanishing_ = vanishing_;
   return r;
 }
@@ -178,7 +179,7 @@ Rational Rational::straightened() const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t k = 0; k <= degree_; ++k) n[axis].push_back(dot(numerator(k), along) * along[axis]);
   }
-  Rational r = build(n, weight(), origin_, begin_, end_, pivot_, reach_, noise_);
+  Rational r = build(n, weight(), origin_, domain(), noise_);
   r.vanishing_ = vanishing_;
   return r;
 }

@@ -106,8 +106,7 @@ void check(double distance, double start_speed, double end_speed, const Limits& 
   require(faults, start_speed >= 0 && start_speed < unlimited, {"start_speed"}, "must be finite and not negative");
   require(faults, end_speed >= 0 && end_speed < unlimited, {"end_speed"}, "must be finite and not negative");
   for (int order = 1; order <= Limits::highest_order; ++order)
-    require(faults, limits.of(order) > 0, {"limits", derivative_names[static_cast<std::size_t>(order)]},
-            "must be positive");
+    require(faults, limits.of(order) > 0, {"limits", derivative_name(order)}, "must be positive");
   if (faults.empty()) {
     require(faults, start_speed <= limits.velocity, {"start_speed"}, "is above the speed limit");
     require(faults, end_speed <= limits.velocity, {"end_speed"}, "is above the speed limit");

@@ -34,7 +34,7 @@ std::vector<InputFault> machine_faults(const Machine& machine) {
   for (const AxisLimits& axis : machine.axes) {
     for (int order = 1; order <= Limits::highest_order; ++order)
       if (!(axis.of(order) > 0) || (order == 2 && !std::isfinite(axis.of(order))))
-        fault({"axes", axis.name, derivative_names[static_cast<std::size_t>(order)]}, "must be a positive number");
+        fault({"axes", axis.name, derivative_name(order)}, "must be a positive number");
     if (!(axis.lowest < axis.highest))
       fault({"axes", axis.name, "range"}, "must go from the lower end to the higher one");
   }
