@@ -1,6 +1,7 @@
 #include "api/text/json_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
