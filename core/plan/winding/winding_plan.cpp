@@ -139,9 +139,9 @@ class Planner {
   /// Replaces the smoothest links by those that take the least time, if the whole path takes less with them.
   void quicken() {
     const PosePath tool = pose_path(plan_.path.curves());
-    const auto reached = trial([&] { return machine_path(tool.tool, tool.orientation, request_.configurations); });
-    if (!reached) return;  // the fault is reported with its place when the path is final
-    const std::shared_ptr<const Kinematics>& machine = reached->kinematics;
+    const auto followed = trial([&] { return machine_path(tool.tool, tool.orientation, request_.configurations); });
+    if (!followed) return;  // the fault is reported with its place when the path is final
+    const std::shared_ptr<const Kinematics>& machine = followed->kinematics;
     const LinkTimer timer(*machine, request_.along, request_.cycle_time, progress_);
     const winding::NeedlePath substitute = linked_by(LinkObjective::control_distance);
     const Progress timing = progress_.part(linked, linked).named("link");
