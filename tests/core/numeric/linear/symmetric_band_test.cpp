@@ -15,10 +15,10 @@ constexpr std::size_t width = 4;
 template <class Band>
 void expect_solutions(const Band& zero, std::mt19937& random) {
   std::uniform_real_distribution<double> any(-1, 1);
-  const std::size_t n = zero.size(), width = zero.width();
+  const std::size_t n = zero.size(), diagonals = zero.width();
   Band given = zero;
   for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = j; i < std::min(n, j + width + 1); ++i)
+    for (std::size_t i = j; i < std::min(n, j + diagonals + 1); ++i)
       given.at(i, j) = i == j ? 5 + any(random) : any(random) / 2;
   Band factored = given;
   std::vector<double> right(n);
@@ -31,7 +31,7 @@ void expect_solutions(const Band& zero, std::mt19937& random) {
   given.multiply(x, product);
   for (std::size_t i = 0; i < n; ++i) {
     double sum = 0;
-    for (std::size_t j = i > width ? i - width : 0; j < std::min(n, i + width + 1); ++j)
+    for (std::size_t j = i > diagonals ? i - diagonals : 0; j < std::min(n, i + diagonals + 1); ++j)
       sum += (j <= i ? given.at(i, j) : given.at(j, i)) * x[j];
     EXPECT_NEAR(sum, right[i], 1e-13) << n << ' ' << i;
     EXPECT_NEAR(product[i], sum, 1e-14) << n << ' ' << i;
