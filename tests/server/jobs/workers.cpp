@@ -36,6 +36,8 @@ class Noise final : public SetpointSource {
 
 /// What lets a planner go on that waits for it.
 std::atomic<bool> latch{false};
+/// Whether a plan "latch" has begun, which is some time after its job is running.
+std::atomic<bool> at_latch{false};
 
 /// Number of plans that need all memory and have begun; the first one with company finds none.
 std::atomic<int> greedy{0};
@@ -43,6 +45,7 @@ std::atomic<int> greedy{0};
 /// Plans what its spec names: {"do":"succeed"|"fail"|"crash"|"unverified"|"noise"|"loop"|"latch"|"greedy"|"endless"}.
 api::PlannedJob stub(const std::string&, const std::string& spec, Progress progress) {
   const std::string what = nlohmann::json::parse(spec).at("do");
+  if (what == "latch") at_latch = true;
   if (what == "fail") throw Infeasible("no motion");
   if (what == "crash") throw std::logic_error("a bug");
   if (what == "unverified") {
@@ -145,11 +148,11 @@ TEST_F(WorkersTest, APlanForWhichMemoryIsMissingEndsAsBudgetExhausted) {
 }
 
 TEST_F(WorkersTest, MemoryThatNeighboursTakeEndsNoJob) {
-  latch = false;
+  latch = at_latch = false;
   greedy = 0;
   start(2);
   const auto neighbour = post("latch");
-  await(neighbour, JobState::running);
+  EXPECT_TRUE(soon([] { return at_latch.load(); }));
   const auto id = post("greedy");
   await(id, JobState::succeeded);
   await(neighbour, JobState::succeeded);
