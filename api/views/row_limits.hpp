@@ -64,10 +64,10 @@ class RowLimits {
   };
   /// Rows [from, to) of a series, and where their results are written.
   struct Block {
-    const double* values;  // of all rows of the series
+    const double* values;  // the series' values, row by row
     std::size_t rows;      // number of rows of the series
     std::size_t from, to;
-    RowUse out;  // results of row `from` on
+    RowUse out;  // receives the results, beginning with those of row `from`
   };
   static Share share_of(const Permitted& permitted);
   void apply(std::size_t index, Block block) const;

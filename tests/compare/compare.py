@@ -5,7 +5,8 @@
 
 Prints what differs, the largest difference of each kind of value in units of its tolerance's scale, per kind of document
 how its figure changed (a duration, the wires of a slot, or J of a law), and processor time and peak memory of both. --table
-writes a line per document: name, figures, verdicts, gaps, seconds and megabytes of old and new. Exit 0: nothing differs by more than the tolerance, 1: something does, 2: usage.
+writes a line per document: name, figures, verdicts, gaps, seconds and megabytes of old and new. Exit 0: nothing differs by
+more than the tolerance, 1: something does, 2: usage.
 """
 import argparse
 import concurrent.futures

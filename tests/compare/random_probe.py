@@ -1,9 +1,7 @@
 """Random specs of kind probe_path: points of curves in the plane and in space, polygons, dense and uneven rows, every method."""
 import math
 
-
-def decade(r, low, high):
-    return 10 ** r.uniform(low, high)
+from random_contour import decade
 
 
 def walk(r, dimension, count, size):

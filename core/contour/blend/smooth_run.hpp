@@ -22,9 +22,10 @@ struct RunTolerance {
   double proven = 0;  ///< largest distance anywhere, mm; a little larger
 };
 
+/// How smooth_run() replaces a run.
 struct SmoothRunOptions {
   RunTolerance tolerance;
-  std::size_t dimension = 2;  ///< of the contour: 2 or 3
+  std::size_t dimension = 2;  ///< number of the contour's coordinates, 2 or 3
   bool rests = false;         ///< whether a window in which no curve is found may end at a rest
 };
 

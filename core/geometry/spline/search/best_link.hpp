@@ -19,13 +19,14 @@ struct BestLink {
   std::size_t evaluations = 0;
 };
 
+/// What best_link() minimises, and where and for how long it searches.
 struct BestLinkOptions {
   LinkObjective objective = LinkObjective::curvature;
   SmoothnessWeights weights;  ///< weights of J (4.60)
   /// A good shape for similar ends (the turn before); without one the search starts from links with the chord's length
   /// as speed. Weights are taken from it and constant.
   std::optional<LinkShape> start = std::nullopt;
-  std::size_t max_evaluations = 2000;  ///< of the objective, about 6 µs each for k = 3
+  std::size_t max_evaluations = 2000;  ///< the search ends after so many; one takes about 6 µs for k = 3
 };
 
 /// Returns the end of a search for a local minimum by sequential quadratic programming with analytic gradients; never
